@@ -1,0 +1,7 @@
+//! Local catalogs of models: a folder with `catalog.csv` and GLB files.
+//!
+//! Knows what a model is, how large it really is and what it is made of; knows nothing of scenes.
+
+pub mod model;
+
+pub use model::{Model, Part};

@@ -1,0 +1,33 @@
+//! A model as geometry: triangles in parts, each part one material.
+
+use glam::Vec3;
+
+/// One material's triangles of a model. Frame: x right, y back, z up (glTF's y-up turned), metres after scaling.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Part {
+    /// Name of the node that the part hangs on (empty if it has none).
+    pub node: String,
+    /// Name of the glTF material (empty if it has none).
+    pub material: String,
+    /// Vertex positions.
+    pub positions: Vec<Vec3>,
+    /// Three vertex numbers a triangle, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A model: its parts, every node transform applied.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// In file order.
+    pub parts: Vec<Part>,
+}
+
+impl Model {
+    /// Lowest and highest corner of all vertices that a triangle uses; `None` without triangles.
+    #[must_use]
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        let used =
+            self.parts.iter().flat_map(|part| part.triangles.iter().flatten().map(|&v| part.positions[v as usize]));
+        used.fold(None, |bounds, p| Some(bounds.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p)))))
+    }
+}

@@ -1,0 +1,9 @@
+//! Numbers that are the same on every machine: elementary functions, random streams, rigid poses.
+//!
+//! Knows nothing of sonar, scenes or recipes.
+
+pub mod pose;
+pub mod real;
+pub mod rng;
+
+pub use pose::Pose;

@@ -1,0 +1,57 @@
+//! A scene as geometry: instances of meshes in the world, with the body and the materials that each stands for.
+//!
+//! Knows nothing of recipes, sonars or images.
+
+pub mod mesh;
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+pub use mesh::{Cluster, Mesh};
+
+/// A mesh at a place in the world.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// The shared surface.
+    pub mesh: Arc<Mesh>,
+    /// Rigid with a uniform scale.
+    pub world_from_mesh: DAffine3,
+    /// The body this is a part of: an index into [`Scene::bodies`] plus one, or 0 for unlabelled background.
+    pub body: u16,
+    /// For each material slot of the mesh, an index into [`Scene::materials`].
+    pub materials: Vec<u16>,
+}
+
+/// A labelled thing in the scene: what a mask and a box will name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Category in the annotations.
+    pub label: String,
+    /// Catalog and uid (`starter/tire`), or the node's name for parts of an environment.
+    pub asset: String,
+    /// Middle of the bounding box in the world, metres.
+    pub centre: DVec3,
+    /// Half the diagonal of the bounding box, metres.
+    pub radius: f64,
+}
+
+/// How a surface scatters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Name in the material catalog.
+    pub name: String,
+    /// Lambert coefficient μ, at most 1/π.
+    pub lambert_mu: f64,
+}
+
+/// Everything a ping can meet.
+#[derive(Clone, Debug, Default)]
+pub struct Scene {
+    /// In a fixed order, background first.
+    pub instances: Vec<Instance>,
+    /// What the instances' material slots point to.
+    pub materials: Vec<Material>,
+    /// Labelled bodies; body number = index + 1.
+    pub bodies: Vec<Body>,
+}

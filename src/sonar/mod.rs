@@ -1,0 +1,11 @@
+//! Scene × device × pose → echoes: energy per (bearing, slant range) cell, with the bodies that gave it.
+//!
+//! Knows nothing of water, noise, displays or labels: absorption, speckle and TVG come later and never touch this energy.
+
+pub mod echoes;
+pub mod fan;
+pub mod grid;
+
+pub use echoes::{BodyEcho, Echoes};
+pub use fan::FanMap;
+pub use grid::Grid;
