@@ -1,5 +1,7 @@
 //! A YAML recipe becomes a labelled sonar dataset.
 pub mod catalog;
+pub mod image;
 pub mod math;
+pub mod physics;
 pub mod scene;
 pub mod sonar;

@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of sonar, scenes or recipes.
 
+pub mod fast;
 pub mod pose;
 pub mod real;
 pub mod rng;

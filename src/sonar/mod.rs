@@ -2,10 +2,17 @@
 //!
 //! Knows nothing of water, noise, displays or labels: absorption, speckle and TVG come later and never touch this energy.
 
+pub mod beams;
+pub mod deposit;
+pub mod device;
 pub mod echoes;
 pub mod fan;
 pub mod grid;
+pub mod trace;
+pub mod visibility;
 
+pub use device::{Bearing, DeviceError, Mount, Sonar};
 pub use echoes::{BodyEcho, Echoes};
 pub use fan::FanMap;
 pub use grid::Grid;
+pub use trace::{Keep, Tracer, trace};

@@ -1,0 +1,74 @@
+//! Echoes → images: absorption, complex field, response, receiver noise, time-varied gain and display.
+//!
+//! Knows nothing of bodies and labels: noise made here cannot reach them.
+
+pub mod display;
+pub mod field;
+pub mod response;
+
+use serde::{Deserialize, Serialize};
+
+pub use display::Display;
+
+use crate::math::rng::Stream;
+use crate::physics::{Water, levels};
+use crate::sonar::{Echoes, Sonar};
+
+/// How echoes become a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ImageModel {
+    /// The chain of steps.
+    pub model: Model,
+    /// −3 dB width of a receive beam, degrees.
+    pub beam_width_deg: f64,
+    /// −3 dB length of the pulse after the receiver, metres of slant range.
+    pub pulse_m: f64,
+    /// Time-varied gain, dB per decade of range: 20 levels volume, 30 seabed, 40 point echoes.
+    pub tvg_db_per_decade: f64,
+    /// Levels shown.
+    pub display: Display,
+}
+
+/// Chains of image formation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Model {
+    /// Complex Gaussian field, pulse and beam response, thermal noise before gain, log display.
+    Physical,
+}
+
+/// Levels that a ping's echoes stand in, from the sonar equation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Channel {
+    /// Absorption, dB/m one way.
+    pub absorption_db_per_m: f64,
+    /// Power of the receiver's noise in the unit of the echoes: relative to the source's power at 1 m.
+    pub noise_power: f64,
+}
+
+impl Channel {
+    /// The channel of a sonar in a water: noise is thermal, in the receiver's band, less the directivity index.
+    #[must_use]
+    pub fn new(sonar: &Sonar, water: &Water) -> Self {
+        let spectrum = levels::thermal_noise_db(sonar.frequency_khz);
+        let noise = levels::band_level_db(spectrum, sonar.bandwidth_khz * 1000.0) - sonar.directivity_db;
+        Self {
+            absorption_db_per_m: water.absorption_db_per_m(sonar.frequency_khz),
+            noise_power: crate::math::real::power_from_db(noise - sonar.source_level_db),
+        }
+    }
+}
+
+/// Forms the grey image of a ping: one byte a cell, in cell order. The stream gives speckle and noise.
+#[must_use]
+pub fn form(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &mut Stream) -> Vec<u8> {
+    match model.model {
+        Model::Physical => {
+            let mut field = field::speckle(echoes, channel.absorption_db_per_m, stream);
+            response::blur(&mut field, &echoes.grid, model.beam_width_deg, model.pulse_m);
+            field::add_noise(&mut field, channel.noise_power, stream);
+            display::detect(&field, &echoes.grid, model, channel)
+        }
+    }
+}
