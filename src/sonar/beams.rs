@@ -46,8 +46,8 @@ impl Beams {
         let weight = planes.t.iter().map(|&t| {
             let cos2 = 1.0 / (1.0 + f64::from(t) * f64::from(t));
             let sin_elevation = f64::from(t) * cos2.sqrt();
-            (vertical_pattern(sin_elevation, radians(sonar.vertical_beam_deg)) * planes.step_rad * cos2 * cos2 * cos2)
-                as f32
+            let pattern = sonar.vertical_beam_deg.map_or(1.0, |width| vertical_pattern(sin_elevation, radians(width)));
+            (pattern * planes.step_rad * cos2 * cos2 * cos2) as f32
         });
         Self { splits, stride: samples.len(), weight: weight.collect() }
     }
@@ -79,8 +79,7 @@ fn split(azimuth: f64, cos_elevation: f64, step: f64, half: f64, beam_rad: f64) 
 /// Source: Urick (1983), ch. 3, uniform line array; −3 dB of sinc² at x = 0.442946.
 #[must_use]
 pub fn vertical_pattern(sin_elevation: f64, width_rad: f64) -> f64 {
-    let x =
-        std::f64::consts::PI * 0.442_946_470_689_452_3 * sin_elevation / sin(0.5 * width_rad.min(std::f64::consts::PI));
+    let x = std::f64::consts::PI * 0.442_946_470_689_452_3 * sin_elevation / sin(0.5 * width_rad);
     let one_way = if x.abs() < 1e-6 { 1.0 } else { (sin(x) / x) * (sin(x) / x) };
     one_way * one_way
 }

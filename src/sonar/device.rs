@@ -21,8 +21,8 @@ pub struct Sonar {
     pub azimuth_deg: f64,
     /// Vertical aperture, degrees: the two-way pattern is cut off outside it.
     pub elevation_deg: f64,
-    /// One-way −3 dB width of the vertical pattern, degrees.
-    pub vertical_beam_deg: f64,
+    /// One-way −3 dB width of the vertical pattern, degrees; none for an ideal sonar that hears the aperture evenly.
+    pub vertical_beam_deg: Option<f64>,
     /// Elevation samples of each beam plane.
     pub elevations: u32,
     /// Nearest and farthest slant range, metres.
@@ -119,10 +119,10 @@ impl Sonar {
                 "write the vertical aperture in degrees",
             ),
             (
-                within(self.vertical_beam_deg, 0.0, 360.0),
+                self.vertical_beam_deg.is_none_or(|width| within(width, 0.0, 180.0)),
                 "vertical_beam_deg",
-                format!("{} is not in (0, 360]", self.vertical_beam_deg),
-                "write the -3 dB width in degrees",
+                "it is not in (0, 180]".into(),
+                "write the -3 dB width in degrees, or null for an even pattern",
             ),
             (self.elevations >= 2, "elevations", "at least 2 are needed".into(), "667 serves most sonars"),
             (self.range_bins >= 1, "range_bins", "at least 1 is needed".into(), "write the image height in bins"),

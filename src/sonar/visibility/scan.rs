@@ -15,8 +15,11 @@ pub struct Segment {
     pub t0: f32,
     /// Upper end; `t0 < t1`.
     pub t1: f32,
-    /// 1/ρ at `t0`, 1/m.
-    pub w0: f32,
+    /// Tangent at the end that is farther off. Reckoned from there, 1/ρ only grows: nothing cancels, however near the
+    /// other end comes.
+    pub far_t: f32,
+    /// 1/ρ at `far_t`, 1/m.
+    pub far_w: f32,
     /// Change of 1/ρ with t.
     pub slope: f32,
     /// Component of the surface normal along ρ in this plane.
@@ -36,7 +39,7 @@ impl Segment {
     #[inline]
     #[must_use]
     pub fn inverse_rho(&self, t: f32) -> f32 {
-        self.w0 + self.slope * (t - self.t0)
+        self.far_w + self.slope * (t - self.far_t)
     }
 }
 
@@ -152,13 +155,14 @@ impl DepthBuffer {
             let (low, high) = if first.t <= second.t { (first, second) } else { (second, first) };
             let Some((from, to)) = samples_between(planes, low.t, high.t) else { continue };
             let slope = (high.w - low.w) / (high.t - low.t);
+            let far = if low.w <= high.w { low } else { high };
             let row = plane * planes.samples();
             let id = self.segments.len() as u32;
             let mut seen = false;
             let nearest = &mut self.nearest[row + from..row + to];
             let segment = &mut self.segment[row + from..row + to];
             for ((t, nearest), segment) in planes.t[from..to].iter().zip(nearest).zip(segment) {
-                let w = low.w + slope * (t - low.t);
+                let w = far.w + slope * (t - far.t);
                 if w > *nearest {
                     *nearest = w;
                     *segment = id;
@@ -170,7 +174,8 @@ impl DepthBuffer {
                 self.segments.push(Segment {
                     t0: low.t,
                     t1: high.t,
-                    w0: low.w,
+                    far_t: far.t,
+                    far_w: far.w,
                     slope,
                     normal_rho: nx * cos + ny * sin,
                     normal_z: nz,
@@ -197,9 +202,9 @@ impl Vertices {
             *plane = (arctangent(y, x.max(clip::NEAR_M)) - first) * step;
             // Concave in (x, y, z), so three corners out on one side mean that the whole triangle is.
             let rho = (x * x + y * y).sqrt();
-            *out = u8::from(z > planes.t_high * rho) * ABOVE
-                | u8::from(z < planes.t_low * rho) * BELOW
-                | u8::from(x < clip::NEAR_M) * BEHIND;
+            *out = (u8::from(z > planes.t_high * rho) * ABOVE)
+                | (u8::from(z < planes.t_low * rho) * BELOW)
+                | (u8::from(x < clip::NEAR_M) * BEHIND);
         }
     }
 }
@@ -275,7 +280,7 @@ fn arctangent(y: f32, x: f32) -> f32 {
     let s = q * q;
     let poly =
         ((((((((0.002_866_226 * s - 0.016_165_737) * s + 0.042_909_615) * s - 0.075_289_64) * s + 0.106_562_64) * s
-            - 0.142_088_99)
+            - 0.142_089)
             * s
             + 0.199_935_51)
             * s
