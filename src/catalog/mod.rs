@@ -3,5 +3,6 @@
 //! Knows what a model is, how large it really is and what it is made of; knows nothing of scenes.
 
 pub mod model;
+pub mod sonars;
 
 pub use model::{Model, Part};

@@ -20,10 +20,6 @@ use crate::sonar::{Echoes, Sonar};
 pub struct ImageModel {
     /// The chain of steps.
     pub model: Model,
-    /// −3 dB width of a receive beam, degrees.
-    pub beam_width_deg: f64,
-    /// −3 dB length of the pulse after the receiver, metres of slant range.
-    pub pulse_m: f64,
     /// Time-varied gain, dB per decade of range: 20 levels volume, 30 seabed, 40 point echoes.
     pub tvg_db_per_decade: f64,
     /// Levels shown.
@@ -38,13 +34,17 @@ pub enum Model {
     Physical,
 }
 
-/// Levels that a ping's echoes stand in, from the sonar equation.
+/// What water and receiver do to a ping's echoes: levels from the sonar equation, widths of the response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Channel {
     /// Absorption, dB/m one way.
     pub absorption_db_per_m: f64,
     /// Power of the receiver's noise in the unit of the echoes: relative to the source's power at 1 m.
     pub noise_power: f64,
+    /// −3 dB width of a receive beam, degrees.
+    pub beam_width_deg: f64,
+    /// Length of the pulse after the receiver, metres of slant range.
+    pub pulse_m: f64,
 }
 
 impl Channel {
@@ -56,6 +56,8 @@ impl Channel {
         Self {
             absorption_db_per_m: water.absorption_db_per_m(sonar.frequency_khz),
             noise_power: crate::math::real::power_from_db(noise - sonar.source_level_db),
+            beam_width_deg: sonar.beam_width_deg,
+            pulse_m: sonar.pulse_m(),
         }
     }
 }
@@ -66,7 +68,7 @@ pub fn form(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &mut
     match model.model {
         Model::Physical => {
             let mut field = field::speckle(echoes, channel.absorption_db_per_m, stream);
-            response::blur(&mut field, &echoes.grid, model.beam_width_deg, model.pulse_m);
+            response::blur(&mut field, &echoes.grid, channel.beam_width_deg, channel.pulse_m);
             field::add_noise(&mut field, channel.noise_power, stream);
             display::detect(&field, &echoes.grid, model, channel)
         }

@@ -19,6 +19,8 @@ pub struct Sonar {
     pub beams: u32,
     /// Horizontal aperture that the beams share, degrees.
     pub azimuth_deg: f64,
+    /// −3 dB width of a receive beam in bearing, degrees.
+    pub beam_width_deg: f64,
     /// Vertical aperture, degrees: the two-way pattern is cut off outside it.
     pub elevation_deg: f64,
     /// One-way −3 dB width of the vertical pattern, degrees; none for an ideal sonar that hears the aperture evenly.
@@ -104,7 +106,7 @@ impl Sonar {
         let [near, far] = self.range_m;
         let cells = u64::from(self.beams) * u64::from(self.range_bins.max(self.elevations));
         let within = |value: f64, low: f64, high: f64| value > low && value <= high;
-        let checks: [(bool, &'static str, String, &'static str); 10] = [
+        let checks: [(bool, &'static str, String, &'static str); 11] = [
             (self.beams >= 1, "beams", "a sonar has at least 1 beam".into(), "write a whole number from 1 to 4096"),
             (
                 within(self.azimuth_deg, 0.0, Self::MAX_AZIMUTH_DEG),
@@ -123,6 +125,12 @@ impl Sonar {
                 "vertical_beam_deg",
                 "it is not in (0, 180]".into(),
                 "write the -3 dB width in degrees, or null for an even pattern",
+            ),
+            (
+                within(self.beam_width_deg, 0.0, 45.0),
+                "beam_width_deg",
+                format!("{} is not in (0, 45]", self.beam_width_deg),
+                "write the -3 dB width of a beam in degrees",
             ),
             (self.elevations >= 2, "elevations", "at least 2 are needed".into(), "667 serves most sonars"),
             (self.range_bins >= 1, "range_bins", "at least 1 is needed".into(), "write the image height in bins"),
@@ -157,6 +165,12 @@ impl Sonar {
             }
         }
         Ok(())
+    }
+
+    /// Length of the pulse after the receiver, metres of slant range: `c / 2B` at c = 1500 m/s.
+    #[must_use]
+    pub fn pulse_m(&self) -> f64 {
+        1500.0 / (2.0 * 1000.0 * self.bandwidth_khz)
     }
 
     /// The polar grid of a ping.

@@ -47,6 +47,7 @@ pub fn sonar(beams: u32, azimuth_deg: f64, range_m: [f64; 2], range_bins: u32) -
         source: None,
         beams,
         azimuth_deg,
+        beam_width_deg: 0.5,
         elevation_deg: 40.0,
         vertical_beam_deg: None,
         elevations: 801,
