@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 pub use display::Display;
 
+use crate::math::Impossible;
 use crate::math::rng::Stream;
 use crate::physics::{Water, levels};
 use crate::sonar::{Echoes, Sonar};
@@ -24,6 +25,18 @@ pub struct ImageModel {
     pub tvg_db_per_decade: f64,
     /// Levels shown.
     pub display: Display,
+}
+
+impl ImageModel {
+    /// Refuses gains and displays that show nothing.
+    ///
+    /// # Errors
+    /// The first impossible figure, with its key and a remedy.
+    pub fn validate(&self) -> Result<(), Impossible> {
+        Impossible::outside("tvg_db_per_decade", self.tvg_db_per_decade, 0.0, 80.0)?;
+        Impossible::outside("display.white_db", self.display.white_db, -200.0, 200.0)?;
+        Impossible::outside("display.dynamic_range_db", self.display.dynamic_range_db, 1.0, 200.0)
+    }
 }
 
 /// Chains of image formation.

@@ -3,8 +3,10 @@
 //! Knows nothing of sonar, scenes or recipes.
 
 pub mod fast;
+mod impossible;
 pub mod pose;
 pub mod real;
 pub mod rng;
 
+pub use impossible::Impossible;
 pub use pose::Pose;

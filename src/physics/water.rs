@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::absorption::francois_garrison_db_per_km;
+use crate::math::Impossible;
 
 /// A body of water, alike everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,38 +19,16 @@ pub struct Water {
     pub depth_m: f64,
 }
 
-/// A figure that no water has.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}: {value} is outside {low} to {high}")]
-pub struct WaterError {
-    /// Key in the water section.
-    pub key: &'static str,
-    /// The figure.
-    pub value: f64,
-    /// Lowest possible.
-    pub low: f64,
-    /// Highest possible.
-    pub high: f64,
-}
-
 impl Water {
     /// Refuses figures outside what water on Earth shows and the equations cover.
     ///
     /// # Errors
     /// The first figure out of range, with its key and the range.
-    pub fn validate(&self) -> Result<(), WaterError> {
-        let ranges = [
-            ("temperature_c", self.temperature_c, -2.0, 40.0),
-            ("salinity_ppt", self.salinity_ppt, 0.0, 45.0),
-            ("ph", self.ph, 6.0, 9.0),
-            ("depth_m", self.depth_m, 0.0, 11_000.0),
-        ];
-        for (key, value, low, high) in ranges {
-            if !(low..=high).contains(&value) {
-                return Err(WaterError { key, value, low, high });
-            }
-        }
-        Ok(())
+    pub fn validate(&self) -> Result<(), Impossible> {
+        Impossible::outside("temperature_c", self.temperature_c, -2.0, 40.0)?;
+        Impossible::outside("salinity_ppt", self.salinity_ppt, 0.0, 45.0)?;
+        Impossible::outside("ph", self.ph, 6.0, 9.0)?;
+        Impossible::outside("depth_m", self.depth_m, 0.0, 11_000.0)
     }
 
     /// Absorption at a frequency, dB/m one way (Francois & Garrison).

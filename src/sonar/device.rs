@@ -4,8 +4,8 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::Grid;
-use crate::math::Pose;
 use crate::math::real::radians;
+use crate::math::{Impossible, Pose};
 
 /// A forward-looking sonar as a recipe or a device file describes it, every figure resolved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -78,93 +78,36 @@ impl Mount {
     }
 }
 
-/// A figure of a sonar that cannot be, with the key it stands under.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}: {problem}")]
-pub struct DeviceError {
-    /// Key in the sonar section (`range_m`, …).
-    pub key: &'static str,
-    /// What is wrong with it.
-    pub problem: String,
-    /// What to do.
-    pub remedy: &'static str,
-}
-
 impl Sonar {
     /// Widest horizontal aperture that beam planes cover, degrees.
     pub const MAX_AZIMUTH_DEG: f64 = 170.0;
     /// Highest vertical aperture, degrees.
     pub const MAX_ELEVATION_DEG: f64 = 120.0;
-    /// Most cells of one ping.
-    pub const MAX_CELLS: u64 = 1 << 25;
+    /// Most beams, bins or elevations.
+    pub const MAX_SIDE: u32 = 8192;
 
     /// Refuses figures that no sonar has.
     ///
     /// # Errors
     /// The first impossible figure, with its key and a remedy.
-    pub fn validate(&self) -> Result<(), DeviceError> {
+    pub fn validate(&self) -> Result<(), Impossible> {
         let [near, far] = self.range_m;
-        let cells = u64::from(self.beams) * u64::from(self.range_bins.max(self.elevations));
-        let within = |value: f64, low: f64, high: f64| value > low && value <= high;
-        let checks: [(bool, &'static str, String, &'static str); 11] = [
-            (self.beams >= 1, "beams", "a sonar has at least 1 beam".into(), "write a whole number from 1 to 4096"),
-            (
-                within(self.azimuth_deg, 0.0, Self::MAX_AZIMUTH_DEG),
-                "azimuth_deg",
-                format!("{} is not in (0, {}]", self.azimuth_deg, Self::MAX_AZIMUTH_DEG),
-                "write the horizontal aperture in degrees",
-            ),
-            (
-                within(self.elevation_deg, 0.0, Self::MAX_ELEVATION_DEG),
-                "elevation_deg",
-                format!("{} is not in (0, {}]", self.elevation_deg, Self::MAX_ELEVATION_DEG),
-                "write the vertical aperture in degrees",
-            ),
-            (
-                self.vertical_beam_deg.is_none_or(|width| within(width, 0.0, 180.0)),
-                "vertical_beam_deg",
-                "it is not in (0, 180]".into(),
-                "write the -3 dB width in degrees, or null for an even pattern",
-            ),
-            (
-                within(self.beam_width_deg, 0.0, 45.0),
-                "beam_width_deg",
-                format!("{} is not in (0, 45]", self.beam_width_deg),
-                "write the -3 dB width of a beam in degrees",
-            ),
-            (self.elevations >= 2, "elevations", "at least 2 are needed".into(), "667 serves most sonars"),
-            (self.range_bins >= 1, "range_bins", "at least 1 is needed".into(), "write the image height in bins"),
-            (
-                near > 0.0 && far > near && far <= 2000.0,
-                "range_m",
-                format!("[{near}, {far}] is not 0 < near < far <= 2000"),
-                "write [near, far] in metres",
-            ),
-            (
-                within(self.frequency_khz, 10.0, 10_000.0),
-                "frequency_khz",
-                format!("{} is not in (10, 10000]", self.frequency_khz),
-                "write the centre frequency in kHz",
-            ),
-            (
-                within(self.bandwidth_khz, 0.0, self.frequency_khz * 2.0),
-                "bandwidth_khz",
-                format!("{} is not in (0, 2 x frequency]", self.bandwidth_khz),
-                "write the bandwidth in kHz",
-            ),
-            (
-                cells <= Self::MAX_CELLS,
-                "beams",
-                format!("{cells} cells or samples are more than {}", Self::MAX_CELLS),
-                "lower beams, range_bins or elevations",
-            ),
-        ];
-        for (holds, key, problem, remedy) in checks {
-            if !holds {
-                return Err(DeviceError { key, problem, remedy });
-            }
-        }
-        Ok(())
+        let most = f64::from(Self::MAX_SIDE);
+        let above_0 = f64::MIN_POSITIVE;
+        Impossible::outside("beams", f64::from(self.beams), 1.0, most)?;
+        Impossible::outside("elevations", f64::from(self.elevations), 2.0, most)?;
+        Impossible::outside("range_bins", f64::from(self.range_bins), 1.0, most)?;
+        Impossible::outside("azimuth_deg", self.azimuth_deg, above_0, Self::MAX_AZIMUTH_DEG)?;
+        Impossible::outside("elevation_deg", self.elevation_deg, above_0, Self::MAX_ELEVATION_DEG)?;
+        Impossible::outside("beam_width_deg", self.beam_width_deg, above_0, 45.0)?;
+        Impossible::outside("vertical_beam_deg", self.vertical_beam_deg.unwrap_or(1.0), above_0, 180.0)?;
+        Impossible::outside("frequency_khz", self.frequency_khz, 10.0, 10_000.0)?;
+        Impossible::outside("bandwidth_khz", self.bandwidth_khz, above_0, 2.0 * self.frequency_khz)?;
+        Impossible::outside("source_level_db", self.source_level_db, 100.0, 260.0)?;
+        Impossible::outside("directivity_db", self.directivity_db, 0.0, 60.0)?;
+        let possible = near > 0.0 && far > near && far <= 2000.0;
+        let problem = format!("[{near}, {far}] is not 0 < near < far <= 2000");
+        Impossible::unless(possible, "range_m", problem, "write [near, far] in metres")
     }
 
     /// Length of the pulse after the receiver, metres of slant range: `c / 2B` at c = 1500 m/s.

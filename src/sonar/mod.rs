@@ -11,7 +11,7 @@ pub mod grid;
 pub mod trace;
 pub mod visibility;
 
-pub use device::{Bearing, DeviceError, Mount, Sonar};
+pub use device::{Bearing, Mount, Sonar};
 pub use echoes::{BodyEcho, Echoes};
 pub use fan::FanMap;
 pub use grid::Grid;
