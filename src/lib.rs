@@ -1,5 +1,6 @@
 //! A YAML recipe becomes a labelled sonar dataset.
 pub mod catalog;
 pub mod math;
+pub mod recipe;
 pub mod scene;
 pub mod sonar;
