@@ -2,18 +2,15 @@
 //!
 //! An enum is written `{ripples: {…}}`, or as the bare word `ripples`, which means `{ripples: {}}`.
 
-use serde::de::value::StrDeserializer;
-use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, IntoDeserializer as _, MapAccess, SeqAccess, Visitor,
-};
+use serde::de::{DeserializeOwned, Deserializer, Visitor};
 
 use super::de_enum::Variant;
+use super::de_items::{Entries, Items};
 use super::distribution;
 use super::error::{Error, quoted};
 use super::fault::Fault;
 use super::nearest::{did_you_mean, listed, nearest};
 use super::node::{Key, Kind, Node};
-use super::path;
 use super::source::Span;
 
 impl Node {
@@ -118,33 +115,46 @@ impl<'a> Typed<'a> {
 
     fn list<V: Visitor<'a>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self.kind() {
-            Some(Kind::Seq(items)) => visitor.visit_seq(Items { items: items.iter(), index: 0, path: &self.path }),
+            Some(Kind::Seq(items)) => visitor.visit_seq(Items::of(items, &self.path)),
             _ => Err(self.expected("a list", "write [a, b, …]")),
         }
     }
 
     /// The map; a bare kind has an empty one.
     fn map<V: Visitor<'a>>(self, fields: &[&str], visitor: V) -> Result<V::Value, Fault> {
-        let path = &self.path;
-        let (entries, one): (&'a [(Key, Node)], _) = match self.content {
-            Content::Bare { .. } => (&[], None),
-            Content::Node(Node { kind: Kind::Map(entries), .. }) => (entries, entries.first()),
-            Content::Node(node) if fields.is_empty() => return Err(self.not_a_map(node, "write `key: value` lines")),
-            Content::Node(node) => return Err(self.not_a_map(node, &format!("its keys are {}", listed(fields)))),
+        let entries: &'a [(Key, Node)] = match self.content {
+            Content::Bare { .. } => &[],
+            Content::Node(node) => match &node.kind {
+                Kind::Map(entries) => {
+                    self.refuse_distribution(node, fields)?;
+                    entries
+                }
+                _ => return Err(self.not_a_map(node, fields)),
+            },
         };
-        if let (Content::Node(node), Some((key, _)), false) = (self.content, one, fields.is_empty()) {
-            if let Some(word) = distribution::word(node).filter(|word| !fields.contains(word)) {
-                let message = format!("the distribution `{word}` is not drawn here");
-                return Err(Fault::Located(Error::new(&key.span, path, message, "write the keys out")));
-            }
-        }
-        visitor.visit_map(Entries { entries: entries.iter(), value: None, path })
+        visitor.visit_map(Entries::of(entries, &self.path))
     }
 
-    fn not_a_map(&self, node: &Node, help: &str) -> Fault {
+    /// A struct is not read from a distribution; a map of free keys (no `fields`) may have any words.
+    fn refuse_distribution(&self, node: &Node, fields: &[&str]) -> Result<(), Fault> {
+        match distribution::word(node) {
+            Some(word) if !fields.is_empty() && !fields.contains(&word) => {
+                let help = format!("write the keys out: {}", listed(fields));
+                Err(self.fault(format!("the distribution `{word}` is not drawn here"), help))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn not_a_map(&self, node: &Node, fields: &[&str]) -> Fault {
+        let keys = if fields.is_empty() {
+            "write `key: value` lines".to_owned()
+        } else {
+            format!("its keys are {}", listed(fields))
+        };
         let help = match node.kind {
-            Kind::Null => format!("remove the key to take what is usual, or write a map; {help}"),
-            _ => help.to_owned(),
+            Kind::Null => format!("remove the key to take the defaults, or write a map; {keys}"),
+            _ => keys,
         };
         self.fault(format!("expected a map, found {}", node.describe()), help)
     }
@@ -198,7 +208,11 @@ impl<'de> Deserializer<'de> for Typed<'de> {
     }
 
     fn deserialize_f32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        visitor.visit_f64(self.float()?)
+        let value = self.float()?;
+        if value.abs() > f64::from(f32::MAX) {
+            return Err(self.fault(format!("the number {value:?} is too large"), "choose a smaller number"));
+        }
+        visitor.visit_f64(value)
     }
 
     fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
@@ -294,60 +308,6 @@ impl<'de> Deserializer<'de> for Typed<'de> {
     }
 
     serde::forward_to_deserialize_any! { bytes byte_buf }
-}
-
-/// The items of a list, one after the other.
-struct Items<'a, 'p> {
-    items: std::slice::Iter<'a, Node>,
-    index: usize,
-    path: &'p str,
-}
-
-impl<'de> SeqAccess<'de> for Items<'de, '_> {
-    type Error = Fault;
-
-    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Fault> {
-        let Some(node) = self.items.next() else { return Ok(None) };
-        let path = path::item(self.path, self.index);
-        self.index += 1;
-        seed_at(seed, node, path).map(Some)
-    }
-
-    fn size_hint(&self) -> Option<usize> {
-        Some(self.items.len())
-    }
-}
-
-/// The entries of a map, one after the other.
-struct Entries<'a, 'p> {
-    entries: std::slice::Iter<'a, (Key, Node)>,
-    value: Option<&'a (Key, Node)>,
-    path: &'p str,
-}
-
-impl<'de> MapAccess<'de> for Entries<'de, '_> {
-    type Error = Fault;
-
-    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Fault> {
-        self.value = self.entries.next();
-        let Some((key, _)) = self.value else { return Ok(None) };
-        let word: StrDeserializer<'_, Fault> = key.text.as_str().into_deserializer();
-        seed.deserialize(word).map(Some).map_err(|fault| Fault::Located(fault.locate(&key.span, self.path)))
-    }
-
-    fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Fault> {
-        let (key, node) = self.value.take().expect("serde asks for a value only behind its key");
-        seed_at(seed, node, path::under(self.path, &key.text))
-    }
-
-    fn size_hint(&self) -> Option<usize> {
-        Some(self.entries.len())
-    }
-}
-
-/// Deserialises a child; a fault without a place is the child's.
-fn seed_at<'de, T: DeserializeSeed<'de>>(seed: T, node: &'de Node, path: String) -> Result<T::Value, Fault> {
-    seed.deserialize(Typed::of(node, path.clone())).map_err(|fault| Fault::Located(fault.locate(&node.span, &path)))
 }
 
 #[cfg(test)]

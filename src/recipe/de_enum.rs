@@ -5,7 +5,7 @@ use serde::de::{DeserializeSeed, Deserializer as _, EnumAccess, IntoDeserializer
 
 use super::de::{Content, Typed};
 use super::distribution;
-use super::error::quoted;
+use super::error::{Error, quoted};
 use super::fault::Fault;
 use super::nearest::listed;
 use super::node::{Kind, Node};
@@ -50,8 +50,7 @@ impl<'a> Variant<'a> {
                 let words: Vec<&str> = entries.iter().map(|(key, _)| key.text.as_str()).collect();
                 let message = format!("expected one kind, found {}: {}", words.len(), listed(&words));
                 let help = format!("keep one of them; the kinds are {}", listed(kinds));
-                let typed = Typed { content: Content::Bare { kind: "", span: &second.span }, ..typed };
-                Err(typed.fault(message, help))
+                Err(Fault::Located(Error::new(&second.span, &typed.path, message, help)))
             }
         }
     }
@@ -85,8 +84,9 @@ impl<'de> VariantAccess<'de> for Typed<'de> {
             Content::Node(node) if matches!(&node.kind, Kind::Map(entries) if entries.is_empty()) => Ok(()),
             Content::Node(node) => match node.entries().first() {
                 Some((key, _)) => {
-                    let typed = Typed { content: Content::Bare { kind: "", span: &key.span }, ..self };
-                    Err(typed.fault(format!("unknown key {}", quoted(&key.text)), "remove it: this kind has no keys"))
+                    let message = format!("unknown key {}", quoted(&key.text));
+                    let help = "remove it: this kind has no keys";
+                    Err(Fault::Located(Error::new(&key.span, &self.path, message, help)))
                 }
                 None => Err(self.fault(format!("expected no value, found {}", node.describe()), "remove it")),
             },

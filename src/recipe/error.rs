@@ -64,7 +64,7 @@ impl std::error::Error for Error {}
 
 impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{}: {}", self.span, printable(&self.message))?;
+        write!(out, "{}: {}", printable(&self.span.to_string()), printable(&self.message))?;
         if !self.path.is_empty() {
             write!(out, " in {}", printable(&self.path))?;
         }

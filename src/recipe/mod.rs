@@ -9,6 +9,7 @@
 
 mod de;
 mod de_enum;
+mod de_items;
 mod defaults;
 mod distribution;
 mod draw;

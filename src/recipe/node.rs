@@ -150,7 +150,7 @@ impl Node {
             Kind::Null => "nothing".to_owned(),
             Kind::Bool(value) => format!("`{value}`"),
             Kind::Int(value) => format!("the number {value}"),
-            Kind::Float(value) => format!("the number {value}"),
+            Kind::Float(value) => format!("the number {value:?}"),
             Kind::Text(text) => format!("the text {}", quoted(text)),
             Kind::Seq(_) => "a list".to_owned(),
             Kind::Map(_) => "a map".to_owned(),

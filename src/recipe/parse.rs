@@ -7,7 +7,7 @@ use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
 
-use saphyr_parser::{Event, Parser, ScalarStyle, Span as Marks, StrInput};
+use saphyr_parser::{Event, Parser, ScalarStyle, ScanError, Span as Marks, StrInput};
 
 use super::error::{Error, quoted};
 use super::node::{Key, Kind, Node, Style};
@@ -125,12 +125,21 @@ impl<'a> Reader<'a> {
                 let span = self.span(&marks);
                 Ok((event, span))
             }
-            Some(Err(error)) => {
-                let span = self.span(&Marks::empty(*error.marker()));
-                let help = "check indentation (spaces, no tabs), colons, quotes and brackets up to here";
-                Err(Error::new(&span, "", format!("not valid YAML: {}", error.info()), help))
-            }
+            Some(Err(error)) => Err(self.not_yaml(&error)),
             None => Err(Error::new(&Span::whole(&self.source), "", "ends too early", "complete the file")),
+        }
+    }
+
+    fn not_yaml(&self, error: &ScanError) -> Error {
+        let span = self.span(&Marks::empty(*error.marker()));
+        let info = error.info();
+        if info.contains("recursion limit") {
+            too_deep(&span)
+        } else if info.contains("unknown anchor") {
+            Error::new(&span, "", NO_ALIASES, WRITE_OUT)
+        } else {
+            let help = "check indentation (spaces, no tabs), colons, quotes and brackets up to here";
+            Error::new(&span, "", format!("not valid YAML: {info}"), help)
         }
     }
 
@@ -220,17 +229,14 @@ impl<'a> Reader<'a> {
             return Err(Error::new(span, "", message, "a recipe has a few hundred; is this the right file?"));
         }
         if depth > MAX_DEPTH {
-            let message = format!("nested deeper than {MAX_DEPTH} levels");
-            return Err(Error::new(span, "", message, "close the brackets, or write it flatter"));
+            return Err(too_deep(span));
         }
         Ok(())
     }
 
     fn refuse_extras(&self, event: &Event<'a>, span: &Span) -> Result<(), Error> {
         let (anchor, tag) = match event {
-            Event::Alias(_) => {
-                return Err(Error::new(span, "", "aliases (`*name`) are not used in recipes", WRITE_OUT));
-            }
+            Event::Alias(_) => return Err(Error::new(span, "", NO_ALIASES, WRITE_OUT)),
             Event::Scalar(_, _, anchor, tag) => (*anchor, tag),
             Event::SequenceStart(anchor, tag) | Event::MappingStart(anchor, tag) => (*anchor, tag),
             _ => return Ok(()),
@@ -246,7 +252,13 @@ impl<'a> Reader<'a> {
     }
 }
 
+const NO_ALIASES: &str = "aliases (`*name`) are not used in recipes";
 const WRITE_OUT: &str = "write the value out at each place";
+
+fn too_deep(span: &Span) -> Error {
+    let message = format!("nested deeper than {MAX_DEPTH} levels");
+    Error::new(span, "", message, "close the brackets, or write it flatter")
+}
 
 #[cfg(test)]
 mod tests;

@@ -27,17 +27,14 @@ struct Ripples {
 struct Nothing {}
 
 #[derive(Debug, PartialEq, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 enum Shape {
     Flat,
     Plane(Nothing),
     Ripples(Ripples),
     Poses(String),
     Pair(f64, f64),
-    #[serde(deny_unknown_fields)]
-    Slope {
-        slope_deg: f64,
-    },
+    Slope { slope_deg: f64 },
 }
 
 #[derive(Debug, PartialEq, Deserialize)]
@@ -121,7 +118,7 @@ fn each_fault_is_named_and_located() {
         ("water: {depth_m: 1, name: 5}", "1:27 expected a text, found the number 5 in water.name", "put it in quotes"),
         (
             "water: {depth_m: 1, layers: 1.0}",
-            "1:29 expected a whole number, found the number 1 in water.layers",
+            "1:29 expected a whole number, found the number 1.0 in water.layers",
             "round it",
         ),
         ("water: {depth_m: 1, layers: 256}", "1:29 256 is not a whole number from 0 to 255 in water.layers", "range"),
@@ -129,6 +126,7 @@ fn each_fault_is_named_and_located() {
         ("on: yes", "1:5 expected true or false, found the text `yes` in on", "write true or false"),
         ("range_m: [1]", "1:10 expected 2 values, found 1 in range_m", "complete"),
         ("range_m: 5", "1:10 expected a list of 2 values, found the number 5 in range_m", "write [a, b"),
+        ("range_m: [1, 1e39]", "1:14 the number 1e39 is too large in range_m[1]", "smaller"),
         ("range_m: [1, b]", "1:14 expected a number, found the text `b` in range_m[1]", "write digits"),
         ("tags: a", "1:7 expected a list, found the text `a` in tags", "write [a, b"),
         ("tags: [a, true]", "1:11 expected a text, found `true` in tags[1]", "put it in quotes"),
@@ -184,7 +182,7 @@ fn each_fault_is_named_and_located() {
         ("seed: {int: [1, 2]}", "1:7 the distribution `int` is not drawn here in seed", "write a whole number"),
         (
             "water: {choice: [{depth_m: 1}]}",
-            "1:9 the distribution `choice` is not drawn here in water",
+            "1:8 the distribution `choice` is not drawn here in water",
             "write the keys out",
         ),
         ("shape: {choice: [flat]}", "1:8 the distribution `choice` is not drawn here in shape", "write one of flat"),

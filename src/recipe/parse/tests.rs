@@ -57,7 +57,7 @@ fn what_is_not_taken_is_refused_by_name() {
         ("x: {a: 1, \"a\": 3}\n", "1:11 the key `a` stands twice"),
         ("a: &x 1\n", "1:4 anchors (`&name`) are not used in recipes"),
         ("a: &x [1]\n", "1:4 anchors (`&name`) are not used in recipes"),
-        ("a: *x\n", "1:4 not valid YAML: while parsing node, found unknown anchor"),
+        ("a: *x\n", "1:4 aliases (`*name`) are not used in recipes"),
         ("<<: {a: 1}\n", "1:1 merge keys (`<<`) are not used in recipes"),
         ("a: !!str 1\n", "1:4 tags (`!name`) are not used in recipes"),
         ("!x a: 1\n", "1:1 tags (`!name`) are not used in recipes"),
@@ -68,7 +68,7 @@ fn what_is_not_taken_is_refused_by_name() {
         ("a: 1\nb: 1e999\n", "2:4 the number is too large: `1e999`"),
         ("a: b: c\n", "1:5 not valid YAML: mapping values are not allowed in this context"),
         ("a: [1, 2\n", "2:1 not valid YAML: while parsing a flow sequence, expected ',' or ']'"),
-        ("a: 'x\n", "2:1 not valid YAML: unclosed quote"),
+        ("a: 'x\n", "1:4 not valid YAML: while scanning a quoted scalar, found unexpected end of stream"),
         ("a: 1\nb: x\0y\n", "2:5 a control character is not allowed in YAML"),
         ("", "0:0 is empty"),
         ("# only a comment\n", "0:0 is empty"),
@@ -181,6 +181,8 @@ fn no_text_makes_it_panic() {
     }
 }
 
+const ODD: &[u8] = b"{}[]:,-?&*!|>'\"%#\n\n\t  ~0.ex<";
+
 #[test]
 fn no_garbage_makes_it_panic() {
     let mut stream = Stream::at(1, "test", 0, "garbage");
@@ -188,7 +190,7 @@ fn no_garbage_makes_it_panic() {
         let mut bytes = vec![0; stream.below(200) as usize];
         stream.fill_bits(&mut bytes);
         all(&String::from_utf8_lossy(&bytes));
-        bytes.iter_mut().for_each(|byte| *byte = b"{}[]:,-?&*!|>'\"%#\n\n\t  ~0.ex<"[usize::from(*byte) % 30]);
+        bytes.iter_mut().for_each(|byte| *byte = ODD[usize::from(*byte) % ODD.len()]);
         all(&String::from_utf8_lossy(&bytes));
     }
 }
