@@ -3,5 +3,6 @@ pub mod catalog;
 pub mod image;
 pub mod math;
 pub mod physics;
+pub mod recipe;
 pub mod scene;
 pub mod sonar;
