@@ -1,5 +1,9 @@
 //! A YAML recipe becomes a labelled sonar dataset.
 pub mod catalog;
+pub mod export;
+pub mod label;
 pub mod math;
 pub mod scene;
 pub mod sonar;
+pub mod store;
+pub mod view;
