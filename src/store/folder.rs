@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
 use super::journal::{self, Journal};
 use super::manifest::Manifest;
-use super::{AtomicFile, FileRecord, FrameRecord, StoreError, atomic, layout};
+use super::{FileRecord, FrameRecord, StoreError, atomic, layout};
 
 /// What makes a dataset the one that it is.
 #[derive(Clone, Copy, Debug)]
@@ -133,14 +133,13 @@ impl Store {
         &self.manifest.plan_hash
     }
 
-    /// Begins a file beside the frames.
-    pub(crate) fn create(&self, path: &str) -> Result<AtomicFile, StoreError> {
-        AtomicFile::create(&self.root, path)
-    }
-
-    /// Writes a file beside the frames.
-    pub(crate) fn write(&self, path: &str, bytes: &[u8]) -> Result<FileRecord, StoreError> {
-        atomic::write(&self.root, path, bytes)
+    /// Writes a file beside the frames, whole or not at all.
+    pub(crate) fn write_with(
+        &self,
+        path: &str,
+        fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<FileRecord, StoreError> {
+        atomic::write_with(&self.root, path, fill)
     }
 
     fn progress(&self) -> MutexGuard<'_, Progress> {
@@ -218,4 +217,178 @@ fn keep(root: &Path, path: &str, bytes: &[u8]) -> Result<FileRecord, StoreError>
         return Ok(FileRecord { path: path.to_owned(), bytes: bytes.len() as u64, sha256 });
     }
     atomic::write(root, path, bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Status;
+    use super::super::sample::{FRAMES, IDENTITY, frame};
+    use super::*;
+
+    fn commit(store: &Store, id: u64) {
+        let (record, files) = frame(id);
+        store.commit(record, &files).unwrap();
+    }
+
+    fn refusal(root: &Path, identity: &Identity<'_>) -> StoreError {
+        Store::open(root, identity).expect_err("the folder is refused")
+    }
+
+    /// Every file under a folder with its contents.
+    fn everything(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+        let mut files = BTreeMap::new();
+        for entry in fs::read_dir(root).unwrap().map(Result::unwrap) {
+            match entry.file_type().unwrap().is_dir() {
+                true => files.extend(everything(&entry.path())),
+                false => drop(files.insert(entry.path(), fs::read(entry.path()).unwrap())),
+            }
+        }
+        files
+    }
+
+    #[test]
+    fn frames_from_several_threads_are_there_when_the_folder_is_opened_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path().join("new/sample");
+        let store = Store::open(&root, &IDENTITY).unwrap();
+        assert_eq!(store.missing(), [0, 1, 2, 3, 4, 5]);
+        std::thread::scope(|threads| {
+            for id in [4, 1, 3] {
+                let store = &store;
+                threads.spawn(move || commit(store, id));
+            }
+        });
+        assert_eq!(store.missing(), [0, 2, 5]);
+        let before = store.finished();
+        assert_eq!(Status::read(&root).unwrap().frames_done, 3, "status reads while the store is open");
+        drop(store);
+        let store = Store::open(&root, &IDENTITY).unwrap();
+        assert_eq!(store.finished(), before);
+        let status = Status::read(&root).unwrap();
+        assert_eq!((status.frames_total, status.finished), (FRAMES, false));
+        let labels = BTreeMap::from([("tire".to_owned(), 3), ("anchor".to_owned(), 1)]);
+        assert_eq!(status.annotations[&crate::label::View::Fan], labels);
+        assert_eq!(fs::read_to_string(root.join(layout::RECIPE)).unwrap(), IDENTITY.recipe_text);
+        assert_eq!(fs::read(root.join(layout::PLAN)).unwrap(), IDENTITY.plan_json);
+    }
+
+    #[test]
+    fn damaged_lines_are_dropped_and_their_frames_are_missing() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        (0..4).for_each(|id| commit(&store, id));
+        drop(store);
+        let path = folder.path().join(layout::JOURNAL);
+        let text = fs::read_to_string(&path).unwrap();
+        let lines: Vec<&str> = text.split_inclusive('\n').collect();
+        let damaged = lines[1].replace("\"scene\":0", "\"scene\":9");
+        assert_ne!(damaged, lines[1]);
+        let torn = &lines[3][..lines[3].len() / 2];
+        fs::write(&path, [lines[0], &damaged, "\u{0}\u{0}\n", lines[2], torn].concat()).unwrap();
+        assert_eq!(Status::read(folder.path()).unwrap().frames_done, 2);
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        assert_eq!(store.missing(), [1, 3, 4, 5]);
+        assert_eq!(fs::read_to_string(&path).unwrap(), [lines[0], lines[2]].concat());
+        commit(&store, 3);
+        drop(store);
+        assert_eq!(Store::open(folder.path(), &IDENTITY).unwrap().missing(), [1, 4, 5], "lines follow the good part");
+    }
+
+    #[test]
+    fn a_kill_between_files_and_journal_costs_only_that_frame() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        commit(&store, 0);
+        drop(store);
+        let (_, files) = frame(1);
+        atomic::write(folder.path(), &files[0].path, &files[0].bytes).unwrap();
+        fs::write(folder.path().join(format!("{}.tmp", files[1].path)), b"half").unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        assert_eq!(store.missing(), [1, 2, 3, 4, 5]);
+        commit(&store, 1);
+        assert_eq!(store.missing(), [2, 3, 4, 5]);
+        assert!(everything(folder.path()).keys().all(|path| path.extension().is_none_or(|e| e != "tmp")));
+    }
+
+    #[test]
+    fn a_frame_with_a_lost_or_cut_file_is_missing() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        (0..3).for_each(|id| commit(&store, id));
+        drop(store);
+        fs::remove_file(folder.path().join("masks/fan/000000.png")).unwrap();
+        fs::write(folder.path().join("images/polar/000002.png"), b"short").unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        assert_eq!(store.missing(), [0, 2, 3, 4, 5]);
+        (0..3).for_each(|id| commit(&store, id));
+        drop(store);
+        assert_eq!(Store::open(folder.path(), &IDENTITY).unwrap().missing(), [3, 4, 5]);
+    }
+
+    #[test]
+    fn a_second_writer_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        assert!(matches!(refusal(folder.path(), &IDENTITY), StoreError::Locked { .. }));
+        drop(store);
+        Store::open(folder.path(), &IDENTITY).unwrap();
+    }
+
+    #[test]
+    fn another_plan_or_version_is_refused_and_nothing_is_touched() {
+        let folder = tempfile::tempdir().unwrap();
+        commit(&Store::open(folder.path(), &IDENTITY).unwrap(), 0);
+        let before = everything(folder.path());
+        let message = refusal(folder.path(), &Identity { plan_hash: "ffff", ..IDENTITY }).to_string();
+        assert!(message.contains("0123abcd") && message.contains("ffff") && message.contains("-o"), "{message}");
+        assert_eq!(everything(folder.path()), before);
+        let manifest = folder.path().join(layout::MANIFEST);
+        let text = fs::read_to_string(&manifest).unwrap();
+        let version = format!("\"ensonify\": \"{}\"", super::super::VERSION);
+        fs::write(&manifest, text.replace(&version, "\"ensonify\": \"0.0.9\"")).unwrap();
+        assert!(matches!(refusal(folder.path(), &IDENTITY), StoreError::OtherVersion { .. }));
+        fs::write(&manifest, "{}").unwrap();
+        assert!(matches!(refusal(folder.path(), &IDENTITY), StoreError::Manifest { .. }));
+    }
+
+    #[test]
+    fn a_recipe_with_other_comments_takes_the_place_of_the_old() {
+        let folder = tempfile::tempdir().unwrap();
+        commit(&Store::open(folder.path(), &IDENTITY).unwrap(), 0);
+        let identity = Identity { recipe_text: "# better\nname: sample\n", ..IDENTITY };
+        assert_eq!(Store::open(folder.path(), &identity).unwrap().missing(), [1, 2, 3, 4, 5]);
+        assert_eq!(fs::read_to_string(folder.path().join(layout::RECIPE)).unwrap(), identity.recipe_text);
+    }
+
+    #[test]
+    fn folders_that_are_none_of_ours_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("thesis.pdf");
+        fs::write(&file, "x").unwrap();
+        let foreign = refusal(folder.path(), &IDENTITY);
+        assert!(matches!(&foreign, StoreError::Foreign { found, .. } if found == "thesis.pdf"), "{foreign}");
+        assert_eq!(everything(folder.path()).len(), 1);
+        assert!(matches!(refusal(&file, &IDENTITY), StoreError::NotAFolder { .. }));
+        let below = refusal(&file.join("out"), &IDENTITY).to_string();
+        assert!(below.contains("thesis.pdf") && below.contains("-o"), "{below}");
+        assert!(matches!(Status::read(folder.path()), Err(StoreError::NoDataset { .. })));
+    }
+
+    #[test]
+    fn a_run_killed_before_its_manifest_does_not_make_the_folder_foreign() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("shards")).unwrap();
+        fs::write(folder.path().join(layout::LOCK), "").unwrap();
+        fs::write(folder.path().join("manifest.json.tmp"), "{").unwrap();
+        assert_eq!(Store::open(folder.path(), &IDENTITY).unwrap().missing().len() as u64, FRAMES);
+    }
+
+    #[test]
+    fn a_frame_outside_the_plan_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &IDENTITY).unwrap();
+        let (record, files) = frame(FRAMES);
+        assert!(matches!(store.commit(record, &files), Err(StoreError::Record { id: FRAMES, .. })));
+        assert!(!folder.path().join("images").exists());
+    }
 }

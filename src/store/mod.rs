@@ -15,10 +15,11 @@ pub mod layout;
 mod manifest;
 pub mod png;
 mod record;
+#[cfg(test)]
+pub(crate) mod sample;
 mod seal;
 mod status;
 
-pub(crate) use atomic::AtomicFile;
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
 pub use manifest::Counts;

@@ -43,8 +43,8 @@ impl Store {
             FileRecord { path: layout::MANIFEST.to_owned(), bytes: text.len() as u64, sha256: sha256(text.as_bytes()) };
         let place = files.partition_point(|file| file.path < manifest.path);
         files.insert(place, &manifest);
-        self.write(layout::SUMS, sums(files.iter().copied()).as_bytes())?;
-        self.write(layout::MANIFEST, text.as_bytes())?;
+        self.write_with(layout::SUMS, |out| out.write_all(sums(files.iter().copied()).as_bytes()))?;
+        self.write_with(layout::MANIFEST, |out| out.write_all(text.as_bytes()))?;
         let bytes = files.iter().map(|file| file.bytes).sum();
         Ok(Summary { dataset_hash, frames: self.manifest.frames, annotations, files: files.len() as u64, bytes })
     }
