@@ -1,8 +1,12 @@
 //! A YAML recipe becomes a labelled sonar dataset.
 pub mod catalog;
+pub mod export;
 pub mod image;
+pub mod label;
 pub mod math;
 pub mod physics;
 pub mod recipe;
 pub mod scene;
 pub mod sonar;
+pub mod store;
+pub mod view;

@@ -1,0 +1,59 @@
+//! `frames.csv`: one row a frame, in job order.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Write};
+
+use serde_json::Value;
+
+use crate::label::View;
+use crate::store::{FrameRecord, layout};
+
+/// Columns that every dataset has.
+const FIXED: [&str; 11] =
+    ["id", "name", "split", "scene", "frame", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"];
+
+/// Writes the table: the fixed columns, the drawn values that any frame has (sorted by path), then for each view the
+/// number of annotations and the hash of the image.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub(crate) fn write(out: &mut dyn Write, frames: &BTreeMap<u64, FrameRecord>, views: &[View]) -> io::Result<()> {
+    let drawn: BTreeSet<&str> = frames.values().flat_map(|frame| frame.values.keys().map(String::as_str)).collect();
+    let mut table = csv::Writer::from_writer(out);
+    let mut header: Vec<String> = FIXED.iter().chain(&drawn).map(ToString::to_string).collect();
+    for view in views.iter().map(|view| view.name()) {
+        header.extend([format!("annotations_{view}"), format!("image_{view}_sha256")]);
+    }
+    table.write_record(&header)?;
+    for frame in frames.values() {
+        table.write_record(row(frame, &drawn, views))?;
+    }
+    table.flush()
+}
+
+fn row(frame: &FrameRecord, drawn: &BTreeSet<&str>, views: &[View]) -> Vec<String> {
+    let mut row = vec![
+        frame.id.to_string(),
+        frame.name.clone(),
+        frame.split.clone(),
+        frame.scene.to_string(),
+        frame.frame.to_string(),
+    ];
+    row.extend(frame.pose.iter().map(|&number| cell(&Value::from(number))));
+    row.extend(drawn.iter().map(|&path| frame.values.get(path).map(cell).unwrap_or_default()));
+    for &view in views {
+        let annotations = frame.views.get(&view).map(|record| record.annotations.len().to_string());
+        let image = frame.file(&layout::image(view, &frame.name)).map(|file| file.sha256.clone());
+        row.extend([annotations.unwrap_or_default(), image.unwrap_or_default()]);
+    }
+    row
+}
+
+/// Text as it is, nothing for null, JSON for all else: numbers in the fewest digits that read back the same.
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}

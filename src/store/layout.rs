@@ -1,0 +1,59 @@
+//! Where things lie in a dataset folder: paths relative to it, with forward slashes.
+
+use crate::label::View;
+
+/// The recipe as given.
+pub const RECIPE: &str = "recipe.yaml";
+/// Every drawn value of every job.
+pub const PLAN: &str = "plan.json";
+/// What the dataset is.
+pub const MANIFEST: &str = "manifest.json";
+/// Hash of every file, for `sha256sum -c`.
+pub const SUMS: &str = "SHA256SUMS";
+/// One row a frame.
+pub const FRAMES: &str = "frames.csv";
+/// The dataset card.
+pub const CARD: &str = "README.md";
+/// Whose models are in it.
+pub const ATTRIBUTION: &str = "ATTRIBUTION.md";
+/// Finished frames, one line each.
+pub const JOURNAL: &str = "shards/00000-of-00001.jsonl";
+/// Held by the process that writes.
+pub(crate) const LOCK: &str = "shards/lock";
+/// What a file is called until it is whole.
+pub(crate) const TEMPORARY: &str = "tmp";
+
+/// Name of a frame in all its files.
+#[must_use]
+pub fn frame_name(id: u64) -> String {
+    format!("{id:06}")
+}
+
+/// 8-bit picture of a frame.
+#[must_use]
+pub fn image(view: View, frame: &str) -> String {
+    format!("images/{}/{frame}.png", view.name())
+}
+
+/// 16-bit mask of a frame: body numbers.
+#[must_use]
+pub fn mask(view: View, frame: &str) -> String {
+    format!("masks/{}/{frame}.png", view.name())
+}
+
+/// Noise-free echoes of a frame.
+#[must_use]
+pub fn raw(frame: &str) -> String {
+    format!("raw/{frame}.exr")
+}
+
+/// COCO annotations of one view of one split.
+#[must_use]
+pub fn annotations(view: View, split: &str) -> String {
+    format!("annotations/{}_{split}.json", view.name())
+}
+
+/// Whether the dataset hash covers a file: what was rendered and what is derived from it, not words about it.
+pub(crate) fn is_data(path: &str) -> bool {
+    path == FRAMES || ["images/", "masks/", "raw/", "annotations/"].iter().any(|folder| path.starts_with(folder))
+}

@@ -1,0 +1,95 @@
+//! `manifest.json`: what a dataset is, from its first moment, and what came of it, once it is finished.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::atomic::sha256;
+use super::{Identity, StoreError, VERSION, layout};
+use crate::label::View;
+
+/// Version of the layout of a dataset folder.
+pub(crate) const FORMAT_VERSION: u32 = 1;
+
+/// The manifest's fields.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Manifest {
+    pub format_version: u32,
+    /// Version of the program.
+    pub ensonify: String,
+    pub name: String,
+    /// Hash of `recipe.yaml`.
+    pub recipe_sha256: String,
+    pub plan_hash: String,
+    /// Frames in the plan.
+    pub frames: u64,
+    /// Hash of the data; `null` until the dataset is finished.
+    pub dataset_hash: Option<String>,
+    /// `null` until the dataset is finished.
+    pub counts: Option<Counts>,
+}
+
+/// How much there is in a finished dataset.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counts {
+    /// Frames of each split.
+    pub frames: BTreeMap<String, u64>,
+    /// Annotations of each view and category.
+    pub annotations: BTreeMap<View, BTreeMap<String, u64>>,
+}
+
+impl Manifest {
+    /// The manifest of a dataset that is begun.
+    pub fn begun(identity: &Identity<'_>) -> Self {
+        Self {
+            format_version: FORMAT_VERSION,
+            ensonify: VERSION.to_owned(),
+            name: identity.name.to_owned(),
+            recipe_sha256: sha256(identity.recipe_text.as_bytes()),
+            plan_hash: identity.plan_hash.to_owned(),
+            frames: identity.frames,
+            dataset_hash: None,
+            counts: None,
+        }
+    }
+
+    /// The manifest in a folder; `None` if it has none.
+    pub fn read(root: &Path) -> Result<Option<Self>, StoreError> {
+        let path = root.join(layout::MANIFEST);
+        let bytes = match fs::read(&path) {
+            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => return Ok(None),
+            result => result.map_err(StoreError::io("read", &path))?,
+        };
+        let manifest: Self = serde_json::from_slice(&bytes)
+            .map_err(|error| StoreError::Manifest { path: path.clone(), reason: error.to_string() })?;
+        if manifest.format_version == FORMAT_VERSION {
+            return Ok(Some(manifest));
+        }
+        let reason = format!("format version {}, but this program knows {FORMAT_VERSION}", manifest.format_version);
+        Err(StoreError::Manifest { path, reason })
+    }
+
+    /// Refuses a dataset that is not the one to write.
+    pub fn check_is(&self, ours: &Self, root: &Path) -> Result<(), StoreError> {
+        let path = || root.to_path_buf();
+        if self.plan_hash != ours.plan_hash {
+            let (there, ours) = (self.plan_hash.clone(), ours.plan_hash.clone());
+            return Err(StoreError::OtherPlan { path: path(), there, ours });
+        }
+        if self.ensonify != ours.ensonify {
+            let (there, ours) = (self.ensonify.clone(), ours.ensonify.clone());
+            return Err(StoreError::OtherVersion { path: path(), there, ours });
+        }
+        Ok(())
+    }
+
+    /// The file's text.
+    pub fn text(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).expect("strings and numbers always serialise");
+        text.push('\n');
+        text
+    }
+}

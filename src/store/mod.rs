@@ -1,0 +1,31 @@
+//! A dataset folder: its layout, whole files only, a journal of finished frames, hashes and the manifest.
+//!
+//! A frame's files are written under temporary names, synced and renamed; then one line in the journal says that the
+//! frame is finished. Whatever a killed run leaves behind, opening the folder again finds the frames that are whole, and
+//! the others are rendered again. No date, host or absolute path is ever written.
+//!
+//! Knows nothing of recipes, scenes or how frames are made, and of annotation formats only what a frame's record holds.
+
+mod atomic;
+mod error;
+pub mod exr;
+pub mod folder;
+pub mod journal;
+pub mod layout;
+mod manifest;
+pub mod png;
+mod record;
+#[cfg(test)]
+pub(crate) mod sample;
+mod seal;
+mod status;
+
+pub use error::StoreError;
+pub use folder::{Identity, NewFile, Store};
+pub use manifest::Counts;
+pub use record::{AnnotationRecord, FileRecord, FrameRecord, ViewRecord};
+pub use seal::Summary;
+pub use status::Status;
+
+/// Version of this program, which a dataset names.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
