@@ -78,7 +78,8 @@ impl Oracle<'_> {
 #[test]
 fn the_reference_scene_is_seen_as_rays_see_it() {
     let Some(path) = support::reference_scene() else { return };
-    let scene = Builder::new().scene(); let _ = path;
+    let scene = Builder::new().scene();
+    let _ = path;
     let sonar = Sonar { elevation_deg: 20.0, elevations: 667, ..sonar(512, 130.0, [0.5, 30.0], 1024) };
     let found = compare(&scene, &sonar, &looking([-28.0, 0.0, 3.1146], 0.0, -15.0));
     println!(

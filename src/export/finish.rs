@@ -21,7 +21,7 @@ pub struct FinishInput {
     pub views: Vec<View>,
     /// All splits, in order; one may be without frames.
     pub splits: Vec<String>,
-    /// All labels, in the order of their category ids; one may never be seen.
+    /// All labels, each once, in the order of their category ids; one may never be seen.
     pub categories: Vec<String>,
     /// More rows for the card's table of how the images were made: sonar, ranges …
     pub facts: Vec<(String, String)>,

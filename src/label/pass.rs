@@ -159,7 +159,7 @@ mod tests {
         let mut stream = Stream::at(3, "test", 0, "labels");
         let mut energy: Vec<f32> = (0..GRID.len()).map(|_| stream.uniform(0.1, 0.4) as f32).collect();
         let mut bodies = Vec::new();
-        for cell in 0..GRID.len() {
+        for (cell, energy) in energy.iter_mut().enumerate() {
             let (beam, bin) = ((cell as u32 / GRID.bins), (cell as u32 % GRID.bins));
             for body in [1u16, 2, 3, 5, 8, 13, 40, 900] {
                 let (b, r) = (3 + 5 * u32::from(body % 8), 2 + 6 * u32::from(body % 9));
@@ -169,7 +169,7 @@ mod tests {
                 };
                 if inside {
                     let own = if body == 900 { 1e-6 } else { stream.uniform(0.0, 1.0) as f32 };
-                    energy[cell] += own;
+                    *energy += own;
                     bodies.push(BodyEcho { cell: cell as u32, body, energy: own });
                 }
             }

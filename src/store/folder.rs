@@ -1,14 +1,14 @@
 //! The store: opens or begins a dataset folder and takes finished frames from any thread.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, ErrorKind, Write};
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
 use super::journal::{self, Journal};
 use super::manifest::Manifest;
-use super::{FileRecord, FrameRecord, StoreError, atomic, layout};
+use super::{FileRecord, FrameRecord, StoreError, atomic, claim, layout};
 
 /// What makes a dataset the one that it is.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +43,7 @@ pub struct Store {
     /// `recipe.yaml` and `plan.json`.
     pub(super) given: Vec<FileRecord>,
     progress: Mutex<Progress>,
-    /// Closing the file gives the lock back.
-    _lock: File,
+    lock: File,
 }
 
 #[derive(Debug)]
@@ -61,13 +60,13 @@ impl Store {
     /// [`StoreError`] if the folder cannot be written, holds something else, another plan or another version's frames, or
     /// if another process writes to it. The folder is then as it was before, but for an empty `shards/`.
     pub fn open(root: &Path, identity: &Identity<'_>) -> Result<Self, StoreError> {
-        refuse_foreign(root)?;
+        claim::refuse_foreign(root)?;
         let ours = Manifest::begun(identity);
         if let Some(there) = Manifest::read(root)? {
             there.check_is(&ours, root)?;
         }
-        probe(root)?;
-        let lock = lock(root)?;
+        claim::probe(root)?;
+        let lock = claim::lock(root)?;
         // Again, as another process may have begun and ended since.
         let there = Manifest::read(root)?;
         if let Some(there) = &there {
@@ -82,10 +81,11 @@ impl Store {
         let journal = Journal::open(root, &contents)?;
         let finished = whole_frames(root, contents.records, identity.frames);
         let progress = Mutex::new(Progress { journal, finished });
-        Ok(Self { root: root.to_path_buf(), manifest: ours, given, progress, _lock: lock })
+        Ok(Self { root: root.to_path_buf(), manifest: ours, given, progress, lock })
     }
 
-    /// Writes a frame's files and then journals it; `record.files` is filled in here. Threads may call this at once.
+    /// Writes a frame's files and then journals it; `record.files` is filled in here. Threads may call this at once,
+    /// each for frames of its own.
     ///
     /// # Errors
     /// [`StoreError`] if a file cannot be written or the record cannot be kept; the frame is then unfinished.
@@ -147,6 +147,13 @@ impl Store {
     }
 }
 
+impl Drop for Store {
+    fn drop(&mut self) {
+        // Closing the file would do, but for a child process that is just being started and still holds a copy of it.
+        let _ = self.lock.unlock();
+    }
+}
+
 /// Frames of the plan whose files are all there with their lengths; of several records of a frame the last counts.
 pub(super) fn whole_frames(root: &Path, records: Vec<FrameRecord>, frames: u64) -> BTreeMap<u64, FrameRecord> {
     let is_whole = |file: &FileRecord| {
@@ -156,58 +163,6 @@ pub(super) fn whole_frames(root: &Path, records: Vec<FrameRecord>, frames: u64) 
         records.into_iter().filter(|record| record.id < frames).map(|record| (record.id, record)).collect();
     finished.retain(|_, record| record.files.iter().all(is_whole));
     finished
-}
-
-/// Refuses a path that is a file, and a folder with other things in it.
-fn refuse_foreign(root: &Path) -> Result<(), StoreError> {
-    let entries = match fs::read_dir(root) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-        Err(error) if error.kind() == ErrorKind::NotADirectory && root.is_file() => {
-            return Err(StoreError::NotAFolder { path: root.to_path_buf() });
-        }
-        result => result.map_err(StoreError::io("read", root))?,
-    };
-    if root.join(layout::MANIFEST).is_file() {
-        return Ok(());
-    }
-    let mut names = Vec::new();
-    for entry in entries {
-        names.push(entry.map_err(StoreError::io("read", root))?.file_name().to_string_lossy().into_owned());
-    }
-    // What a run leaves that was killed before it wrote its manifest.
-    let own = ["shards".to_owned(), PROBE.to_owned(), format!("{}.{}", layout::MANIFEST, layout::TEMPORARY)];
-    names.retain(|name| !own.contains(name));
-    names.sort();
-    match names.into_iter().next() {
-        Some(found) => Err(StoreError::Foreign { path: root.to_path_buf(), found }),
-        None => Ok(()),
-    }
-}
-
-const PROBE: &str = "probe.tmp";
-
-/// Makes the folder and sees whether files can be written there.
-fn probe(root: &Path) -> Result<(), StoreError> {
-    fs::create_dir_all(root).map_err(StoreError::io("create", root))?;
-    let path = root.join(PROBE);
-    fs::write(&path, b"may be deleted").map_err(StoreError::io("write", &path))?;
-    fs::remove_file(&path).map_err(StoreError::io("delete", &path))
-}
-
-/// Takes the folder for this process. The system gives it back however the process ends.
-fn lock(root: &Path) -> Result<File, StoreError> {
-    let path = root.join(layout::LOCK);
-    let folder = path.parent().unwrap_or(root);
-    fs::create_dir_all(folder).map_err(StoreError::io("create", folder))?;
-    let file = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
-    let file = file.map_err(StoreError::io("create", &path))?;
-    match file.try_lock() {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: root.to_path_buf() }),
-        // Some network file systems know no locks; there the user must see to it.
-        Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(file),
-        Err(TryLockError::Error(source)) => Err(StoreError::Io { doing: "lock", path, source }),
-    }
 }
 
 /// Makes sure that a file has these bytes.
@@ -238,9 +193,10 @@ mod tests {
     fn everything(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut files = BTreeMap::new();
         for entry in fs::read_dir(root).unwrap().map(Result::unwrap) {
-            match entry.file_type().unwrap().is_dir() {
-                true => files.extend(everything(&entry.path())),
-                false => drop(files.insert(entry.path(), fs::read(entry.path()).unwrap())),
+            if entry.file_type().unwrap().is_dir() {
+                files.extend(everything(&entry.path()));
+            } else {
+                files.insert(entry.path(), fs::read(entry.path()).unwrap());
             }
         }
         files

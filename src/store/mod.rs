@@ -7,6 +7,7 @@
 //! Knows nothing of recipes, scenes or how frames are made, and of annotation formats only what a frame's record holds.
 
 mod atomic;
+mod claim;
 mod error;
 pub mod exr;
 pub mod folder;

@@ -20,9 +20,10 @@ pub fn grey8(width: u32, height: u32, pixels: &[u8]) -> Vec<u8> {
 /// If `pixels` is not `width · height` long or empty.
 #[must_use]
 pub fn grey16(width: u32, height: u32, pixels: &[u16]) -> Vec<u8> {
-    let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| pixel.to_ne_bytes()).collect();
-    // Masks are mostly zeros in long runs, which need no filter.
-    encode(width, height, &bytes, Kind { colour: ExtendedColorType::L16, filter: FilterType::NoFilter })
+    let mut bytes = vec![0; 2 * pixels.len()];
+    bytes.chunks_exact_mut(2).zip(pixels).for_each(|(two, pixel)| two.copy_from_slice(&pixel.to_ne_bytes()));
+    // Within a mask's areas rows repeat the row above: zeros after this filter, which compress best.
+    encode(width, height, &bytes, Kind { colour: ExtendedColorType::L16, filter: FilterType::Up })
 }
 
 /// A colour picture, three bytes a pixel, row by row.
