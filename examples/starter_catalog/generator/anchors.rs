@@ -17,7 +17,7 @@ pub fn all() -> Vec<Object> {
 fn anchor() -> Object {
     // Crown at the origin, shank along x, arms in the x-z plane, stock along y.
     let sides = |i: usize| [0.085, 0.080, 0.070, 0.060, 0.058][i];
-    let shank: Vec<DVec3> = [-0.02, 0.4, 0.8, 1.2, 1.72].map(|x| DVec3::new(x, 0.0, 0.0)).to_vec();
+    let shank: Vec<DVec3> = [-0.02, 0.4, 0.8, 1.2, 1.68].map(|x| DVec3::new(x, 0.0, 0.0)).to_vec();
     let shank = sweep(&shank, Path::Open, DVec3::Y, |i| chamfered(sides(i)));
     let curve: Vec<DVec3> = arc([0.66, 0.0], 0.66, [180.0 - 68.0, 180.0 + 68.0], 28)
         .into_iter()
@@ -32,20 +32,22 @@ fn anchor() -> Object {
         ellipse(w / 2.0, h / 2.0, 10)
     });
     let palms = palm().mirrored(Axis::Z);
-    let ring_at = DVec3::new(1.64, 0.0, 0.0);
-    let ring = torus(0.125, 0.040, [32, 10]).turned(Axis::X, 90.0).mapped(|p| p + ring_at + DVec3::X * 0.125);
-    let stock_x = 1.42;
+    let stock_x = 1.54;
     let stock_path: Vec<DVec3> = [-0.78, -0.4, 0.0, 0.4, 0.78].map(|y| DVec3::new(stock_x, y, 0.0)).to_vec();
     let stock = sweep(&stock_path, Path::Open, DVec3::X, |i| circle([0.026, 0.032, 0.040, 0.032, 0.026][i], 14));
-    let knob = |y: f64| icosphere(2).mapped(|p| p * 0.055 + DVec3::new(stock_x, y, 0.0));
+    let knob = |y: f64| icosphere(4).mapped(|p| p * 0.065 + DVec3::new(stock_x, y, 0.0));
     let collar = cylinder(0.062, [-0.06, 0.06], 20).turned(Axis::X, 90.0).at(stock_x, 0.0, 0.0);
     // Lying: lean the shank until bill and stock touch the same level.
     let bill = curve[0];
-    let (rise, run) = (bill.z - 0.055, stock_x - bill.x);
-    let lean = turn(Axis::Y, degrees(atan2(rise, run)));
+    let (rise, run) = (bill.z - 0.065, stock_x - bill.x);
+    let lean = degrees(atan2(rise, run));
+    // The ring lies flat on the bottom.
+    let ring = torus(0.125, 0.040, [32, 10]).at(0.125, 0.0, 0.0).turned(Axis::Y, -lean).at(1.63, 0.0, 0.0);
+    let lean = turn(Axis::Y, lean);
     let lying = |part: Part| part.mapped(|p| lean * p);
     Object {
         uid: "anchor",
+        name: "admiralty anchor",
         label: "anchor",
         tags: "admiralty anchor;mooring;ship;wreck;archaeology",
         parts: vec![
@@ -80,7 +82,7 @@ fn palm() -> Solid {
     let plate = prism(&shield, &[], [-0.012, 0.012]).mapped(|p| DVec3::new(p.z, p.x, p.y));
     let up = 50.0;
     let (s, c) = (sin(radians(up)), cos(radians(up)));
-    let on_arc = DVec3::new(0.66 - 0.615 * c, 0.0, 0.615 * s);
+    let on_arc = DVec3::new(0.66 - 0.635 * c, 0.0, 0.635 * s);
     plate.turned(Axis::Y, up).mapped(|p| p + on_arc)
 }
 
@@ -124,6 +126,7 @@ fn stockless_anchor() -> Object {
     let [tip, other] = tips;
     Object {
         uid: "anchor-stockless",
+        name: "stockless anchor",
         label: "anchor",
         tags: "stockless anchor;hall anchor;mooring;ship",
         parts: vec![
@@ -165,36 +168,37 @@ fn chain() -> Object {
     }
     Object {
         uid: "chain",
+        name: "stud-link chain",
         label: "chain",
         tags: "anchor chain;mooring;ship;debris",
         parts: vec![Part::new("links", Material::Steel, links), Part::new("studs", Material::Steel, studs)],
     }
 }
 
-/// A concrete sinker, 1.2 m square and 0.6 m high, with a steel ring in its bail.
+/// A concrete sinker, 1.2 m square and 0.6 m high, with a steel ring in its lug.
 fn mooring_block() -> Object {
     let level = |width: f64, z: f64| -> Vec<DVec3> {
         rounded_rectangle(width, width, 0.05, 2).into_iter().map(|[x, y]| DVec3::new(x, y, z)).collect()
     };
     let block = capped(&[level(1.17, 0.0), level(1.20, 0.03), level(1.02, 0.57), level(0.97, 0.60)]);
-    let bail = [
-        [-0.13, 0.0, 0.52],
-        [-0.13, 0.0, 0.66],
-        [-0.08, 0.0, 0.745],
-        [0.0, 0.0, 0.77],
-        [0.08, 0.0, 0.745],
-        [0.13, 0.0, 0.66],
-        [0.13, 0.0, 0.52],
-    ];
-    let bail = sweep(&spline(&bail, 4), Path::Open, DVec3::Y, |_| circle(0.025, 10));
-    let ring = torus(0.14, 0.040, [36, 10]).turned(Axis::Y, 68.0).at(0.03, 0.10, 0.70).turned(Axis::Z, 90.0);
+    let mut lug = arc([0.0, 0.09], 0.075, [0.0, 180.0], 12);
+    lug.extend([[-0.09, 0.0], [0.09, 0.0]]);
+    let lug = prism(&lug, &[circle(0.034, 16).into_iter().map(|p| [p[0], p[1] + 0.09]).collect()], [-0.02, 0.02]);
+    let lug = lug.turned(Axis::X, 90.0).at(0.0, 0.0, 0.59);
+    let plate = cuboid([0.36, 0.26, 0.03], [0.0, 0.0, 0.605]);
+    let ring = torus(0.15, 0.040, [36, 10])
+        .at(0.15, 0.0, 0.0)
+        .turned(Axis::Y, 7.5)
+        .at(-0.005, 0.0, 0.68)
+        .turned(Axis::Z, 20.0);
     Object {
         uid: "mooring-block",
+        name: "concrete mooring block",
         label: "mooring-block",
         tags: "sinker;clump weight;concrete block;mooring;infrastructure",
         parts: vec![
             Part::new("block", Material::Concrete, [block]),
-            Part::new("bail", Material::Steel, [bail]),
+            Part::new("lug", Material::Steel, [lug, plate]),
             Part::new("ring", Material::Steel, [ring]),
         ],
     }
@@ -229,8 +233,9 @@ fn crane_hook() -> Object {
     let latch = rod([-0.03, 0.21, 0.0], [0.135, 0.055, 0.0], 0.009, 8);
     Object {
         uid: "crane-hook",
+        name: "crane hook",
         label: "hook",
-        tags: "hook;crane;tackle;debris",
+        tags: "crane;tackle;debris",
         parts: vec![
             Part::new("hook", Material::Steel, [hook, eye, ring]),
             Part::new("latch", Material::Steel, [latch]),

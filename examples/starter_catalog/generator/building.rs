@@ -44,6 +44,7 @@ fn cinder_block() -> Object {
     });
     Object {
         uid: "cinder-block",
+        name: "cinder block",
         label: "cinder-block",
         tags: "concrete block;breeze block;masonry;debris;sinker",
         parts: vec![Part::new("block", Material::Concrete, [block])],
@@ -75,6 +76,7 @@ fn pipe() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0).turned(Axis::X, 15.0);
     Object {
         uid: "pipe",
+        name: "flanged steel pipe",
         label: "pipe",
         tags: "steel pipe;pipeline;flange;infrastructure;debris",
         parts: vec![
@@ -101,6 +103,7 @@ fn concrete_pipe() -> Object {
     ];
     Object {
         uid: "pipe-concrete",
+        name: "concrete sewer pipe",
         label: "pipe",
         tags: "concrete pipe;sewer pipe;outfall;infrastructure",
         parts: vec![Part::new("pipe", Material::Concrete, [lathe_ring(&profile, 56).turned(Axis::Y, 90.0)])],
@@ -150,6 +153,7 @@ fn valve() -> Object {
     works.extend(gland);
     Object {
         uid: "valve",
+        name: "gate valve",
         label: "valve",
         tags: "gate valve;pipeline;infrastructure;debris",
         parts: vec![
@@ -182,6 +186,7 @@ fn ladder() -> Object {
         [-1.0, 1.0].iter().flat_map(|side| [0.025, length - 0.025].map(|x| foot(x, side * (half - 0.0125)))).collect();
     Object {
         uid: "ladder",
+        name: "aluminium ladder",
         label: "ladder",
         tags: "aluminium ladder;debris;harbour",
         parts: vec![
@@ -211,6 +216,7 @@ fn traffic_cone() -> Object {
     base.extend(pads);
     Object {
         uid: "traffic-cone",
+        name: "traffic cone",
         label: "traffic-cone",
         tags: "cone;pylon;debris;urban;calibration",
         parts: vec![
@@ -231,6 +237,7 @@ fn tetrapod() -> Object {
     legs.extend(leg.aimed(DVec3::new(s, 0.0, c), DVec3::ZERO).around(3));
     Object {
         uid: "tetrapod",
+        name: "tetrapod",
         label: "tetrapod",
         tags: "breakwater;armour unit;concrete;infrastructure",
         parts: vec![Part::new("legs", Material::Concrete, legs)],

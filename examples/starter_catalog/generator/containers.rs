@@ -57,6 +57,7 @@ fn oil_drum() -> Object {
     };
     Object {
         uid: "oil-drum",
+        name: "oil drum, 200 l",
         label: "oil-drum",
         tags: "oil drum;drum;barrel;debris;container;pollution",
         parts: vec![
@@ -70,7 +71,10 @@ fn oil_drum() -> Object {
 fn oil_drum_open() -> Object {
     let mut profile = vec![[0.0, 0.018], [0.276, 0.018], [0.280, 0.000]];
     profile.extend(drum_side());
-    profile.extend([[0.283, DRUM_HEIGHT], [0.281, 0.860], [0.281, 0.44], [0.281, 0.030], [0.0, 0.030]]);
+    profile.push([0.281, DRUM_HEIGHT]);
+    let inside = drum_side().into_iter().rev().filter(|p| (0.028..0.852).contains(&p[1]));
+    profile.extend(inside.map(|p| [p[0] - 0.006, p[1]]));
+    profile.push([0.0, 0.026]);
     let dent = |p: DVec3| {
         let offset = (p - DVec3::new(-0.33, 0.05, 0.56)) / DVec3::new(0.22, 0.26, 0.20);
         let depth = 0.13 / (1.0 + offset.length_squared() * offset.length_squared());
@@ -78,6 +82,7 @@ fn oil_drum_open() -> Object {
     };
     Object {
         uid: "oil-drum-open",
+        name: "open oil drum, dented",
         label: "oil-drum",
         tags: "oil drum;drum;barrel;debris;container;damaged",
         parts: vec![Part::new("drum", Material::Steel, [lathe(&profile, 48).mapped(dent).turned(Axis::Y, 90.0)])],
@@ -120,6 +125,7 @@ fn wooden_crate() -> Object {
     }
     Object {
         uid: "crate",
+        name: "wooden crate",
         label: "crate",
         tags: "wooden crate;box;debris;container;cargo",
         parts: vec![Part::new("boards", Material::Wood, boards), Part::new("frame", Material::Wood, frame)],
@@ -143,6 +149,7 @@ fn bottle() -> Object {
     ]);
     Object {
         uid: "bottle",
+        name: "wine bottle",
         label: "bottle",
         tags: "glass bottle;wine bottle;debris;litter;container",
         parts: vec![Part::new("bottle", Material::Glass, [lathe(&profile, 32).turned(Axis::Y, 90.0)])],
@@ -152,10 +159,10 @@ fn bottle() -> Object {
 /// A Roman wine amphora after Dressel 1B: 1.1 m, spiked toe, long neck, two handles; open, on its side.
 fn amphora() -> Object {
     let outer: [Point; 13] = [
-        [0.036, 0.000],
-        [0.040, 0.020],
-        [0.038, 0.075],
-        [0.062, 0.130],
+        [0.026, 0.000],
+        [0.036, 0.015],
+        [0.034, 0.080],
+        [0.056, 0.140],
         [0.104, 0.230],
         [0.136, 0.360],
         [0.148, 0.490],
@@ -194,10 +201,11 @@ fn amphora() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0).turned(Axis::X, 90.0);
     Object {
         uid: "amphora",
+        name: "wine amphora",
         label: "amphora",
         tags: "jar;pottery;archaeology;wreck;container",
         parts: vec![
-            Part::new("body", Material::Ceramic, [lying(lathe(&profile, 40))]),
+            Part::new("body", Material::Ceramic, [lying(lathe(&profile, 36))]),
             Part::new("handles", Material::Ceramic, handle.mirrored(Axis::X).map(lying)),
         ],
     }
@@ -239,8 +247,9 @@ fn can() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0).turned(Axis::X, 60.0);
     Object {
         uid: "drink-can",
+        name: "drink can, squeezed",
         label: "can",
-        tags: "can;tin;debris;litter;container",
+        tags: "tin;beer can;soda can;debris;litter;container",
         parts: vec![
             Part::new("can", Material::Aluminium, [lying(lathe(&profile, 32).mapped(squeeze))]),
             Part::new("tab", Material::Aluminium, [lying(tab)]),
@@ -264,8 +273,9 @@ fn scuba_tank() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
     Object {
         uid: "scuba-tank",
+        name: "diving cylinder",
         label: "gas-cylinder",
-        tags: "scuba tank;diving cylinder;gas cylinder;bottle;debris;diver",
+        tags: "scuba tank;diving cylinder;gas cylinder;debris;diver",
         parts: vec![
             Part::new("cylinder", Material::Aluminium, [lathe(&tank, 40)].map(lying)),
             Part::new("boot", Material::Rubber, [lathe_ring(&boot, 40)].map(lying)),

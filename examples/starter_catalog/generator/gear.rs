@@ -74,6 +74,7 @@ fn lobster_pot() -> Object {
     ];
     Object {
         uid: "lobster-pot",
+        name: "lobster pot",
         label: "lobster-pot",
         tags: "crab pot;trap;fishing gear;fishing;ghost gear;debris",
         parts: vec![
@@ -115,6 +116,7 @@ fn bucket() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::X, 87.0);
     Object {
         uid: "bucket",
+        name: "plastic bucket",
         label: "bucket",
         tags: "pail;debris;litter;container;plastic",
         parts: vec![

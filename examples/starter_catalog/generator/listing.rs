@@ -17,9 +17,9 @@ pub fn catalog_csv(objects: &[Object]) -> Result<Vec<u8>> {
     for object in objects {
         table.write_record([
             object.uid,
-            &object.uid.replace('-', " "),
+            object.name,
             object.label,
-            object.tags,
+            &format!("{};{}", object.label, object.tags),
             &object.file_name(),
             &format!("{:.4}", object.size()),
             "y",

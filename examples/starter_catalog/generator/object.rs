@@ -9,9 +9,11 @@ use super::solid::Solid;
 pub struct Object {
     /// Unique name, kebab-case; the file is named after it.
     pub uid: &'static str,
+    /// What people call it.
+    pub name: &'static str,
     /// Category in annotations.
     pub label: &'static str,
-    /// Words it is found by, `;` between them.
+    /// Words it is found by besides its label, `;` between them.
     pub tags: &'static str,
     /// The first part's material is the main one.
     pub parts: Vec<Part>,

@@ -4,10 +4,10 @@ use ensonify::math::real::{cos, radians, sin};
 use glam::DVec3;
 
 use super::anchors::link;
-use super::curve::{Point, rounded_rectangle, smooth};
+use super::curve::{Point, arc, rounded_rectangle, smooth};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{capped, cuboid, cylinder, dome, icosphere, lathe, lathe_ring, plank, rod, torus};
+use super::shape::{capped, cuboid, cylinder, dome, lathe, lathe_ring, plank, rod, torus};
 use super::solid::{Axis, Solid, turn};
 use super::vessels::screw;
 
@@ -18,11 +18,12 @@ pub fn all() -> Vec<Object> {
 /// A moored contact mine: a 1 m sphere with Hertz horns on a chain over its sinker, 3.1 m in all.
 fn moored_mine() -> Object {
     let centre = DVec3::new(0.0, 0.0, 2.45);
-    let shell = icosphere(4).mapped(|p| p * 0.5 + centre);
+    let meridian: Vec<Point> = arc([0.0, 0.0], 0.5, [-90.0, 90.0], 22);
+    let shell = lathe(&meridian, 44).mapped(|p| p + centre);
     let belt = lathe_ring(&[[0.485, -0.03], [0.515, -0.03], [0.515, 0.03], [0.485, 0.03]], 56).mapped(|p| p + centre);
     let mut horn: Vec<Point> = vec![[0.0, -0.03], [0.058, -0.03], [0.058, 0.018], [0.046, 0.024], [0.030, 0.028]];
-    horn.extend(dome(0.027, 0.105, 0.027, 3));
-    let horn = lathe(&horn, 14);
+    horn.extend(dome(0.027, 0.105, 0.027, 2));
+    let horn = lathe(&horn, 8);
     let mut horns = Vec::new();
     for (count, elevation, first) in [(1, 90.0, 0.0), (4, 52.0, 45.0), (6, 18.0, 0.0), (4, -32.0, 45.0)] {
         for i in 0..count {
@@ -35,7 +36,7 @@ fn moored_mine() -> Object {
     let foot = lathe(&[[0.0, -0.55], [0.05, -0.55], [0.08, -0.53], [0.13, -0.47], [0.13, -0.40], [0.0, -0.40]], 24)
         .mapped(|p| p + centre);
     let links = (0..).map(|i| 1.90 - 0.096 * f64::from(i)).take_while(|z| *z > 0.60).enumerate().map(|(i, z)| {
-        link([0.128, 0.076], 0.020, [4, 6])
+        link([0.128, 0.076], 0.020, [3, 6])
             .turned(Axis::Y, 90.0)
             .turned(Axis::Z, if i % 2 == 0 { 0.0 } else { 90.0 })
             .at(0.0, 0.0, z)
@@ -52,7 +53,7 @@ fn moored_mine() -> Object {
     let mut trolley =
         vec![sinker, lathe(&[[0.0, 0.45], [0.16, 0.45], [0.14, 0.52], [0.05, 0.54], [0.04, 0.60], [0.0, 0.60]], 24)];
     for x in [-0.27, 0.27] {
-        let wheel = lathe(&[[0.0, -0.03], [0.10, -0.03], [0.10, 0.015], [0.12, 0.02], [0.12, 0.03], [0.0, 0.03]], 24)
+        let wheel = lathe(&[[0.0, -0.03], [0.10, -0.03], [0.10, 0.015], [0.12, 0.02], [0.12, 0.03], [0.0, 0.03]], 16)
             .turned(Axis::X, 90.0);
         trolley.extend(wheel.at(x, -0.33, 0.12).mirrored(Axis::Y));
         trolley.push(cuboid([0.06, 0.64, 0.30], [x, 0.0, 0.26]));
@@ -61,6 +62,7 @@ fn moored_mine() -> Object {
     trolley.push(cuboid([0.82, 0.05, 0.08], [0.0, -0.22, 0.25]));
     Object {
         uid: "moored-mine",
+        name: "moored contact mine",
         label: "moored-mine",
         tags: "mine-like;ordnance;contact mine;naval mine;mine;sea mine",
         parts: vec![
@@ -91,10 +93,11 @@ fn bottom_mine() -> Object {
         32,
     );
     let bolts = cylinder(0.011, [0.43, 0.442], 6).at(0.205, 0.0, 0.0).around(12);
-    let rib = plank([0.482, 0.0, 0.07], [0.285, 0.0, 0.388], DVec3::Y, [0.035, 0.05]).around(6);
+    let rib = plank([0.452, 0.0, 0.10], [0.315, 0.0, 0.322], DVec3::Y, [0.035, 0.05]).around(6);
     let lug = torus(0.045, 0.022, [16, 6]).turned(Axis::X, 90.0).at(0.40, 0.0, 0.215).turned(Axis::Z, 30.0).around(3);
     Object {
         uid: "bottom-mine",
+        name: "truncated-cone bottom mine",
         label: "bottom-mine",
         tags: "mine-like;ordnance;manta mine;ground mine;naval mine;mine;sea mine",
         parts: vec![
@@ -131,8 +134,7 @@ fn cylinder_mine() -> Object {
         [0.0, 2.010],
     ];
     // Skewed nose: these mines break the water at an angle.
-    let body =
-        lathe(&profile, 44).mapped(|p| DVec3::new(p.x, p.y, p.z - 0.35 * p.x.min(0.12) * (1.0 - p.z / 0.2).max(0.0)));
+    let body = lathe(&profile, 44).mapped(|p| DVec3::new(p.x, p.y, p.z - 0.35 * p.x * (1.0 - p.z / 0.5).max(0.0)));
     let lug = torus(0.035, 0.022, [16, 6]).turned(Axis::X, 90.0);
     let lugs = [0.72, 1.08].map(|z| lug.clone().at(0.275, 0.0, z));
     let fin = plank([0.22, 0.0, 1.72], [0.22, 0.0, 1.99], DVec3::X, [0.20, 0.012]).turned(Axis::Z, 45.0).around(4);
@@ -144,6 +146,7 @@ fn cylinder_mine() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Z, 20.0).turned(Axis::Y, 90.0);
     Object {
         uid: "bottom-mine-cylinder",
+        name: "cylindrical bottom mine",
         label: "bottom-mine",
         tags: "mine-like;ordnance;cylindrical mine;ground mine;naval mine;mine;sea mine",
         parts: vec![
@@ -173,8 +176,9 @@ fn aerial_bomb() -> Object {
     let tail: Vec<Solid> = fin.around(4).into_iter().chain([strut]).map(lying).collect();
     Object {
         uid: "aerial-bomb",
+        name: "aerial bomb, 250 kg",
         label: "bomb",
-        tags: "ordnance;uxo;bomb;unexploded ordnance;munition",
+        tags: "ordnance;uxo;unexploded ordnance;munition",
         parts: vec![
             Part::new("body", Material::Steel, [lying(lathe(&profile, 40))]),
             Part::new("tail", Material::Steel, tail),
@@ -204,8 +208,9 @@ fn artillery_shell() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
     Object {
         uid: "artillery-shell",
+        name: "artillery shell, 155 mm",
         label: "shell",
-        tags: "ordnance;uxo;shell;projectile;unexploded ordnance;munition",
+        tags: "ordnance;uxo;projectile;unexploded ordnance;munition",
         parts: vec![Part::new("shell", Material::Steel, [lying(lathe(&profile, 36)), lying(eye)])],
     }
 }
@@ -231,13 +236,14 @@ fn torpedo() -> Object {
     let rudder = prism(&[[0.09, 6.86], [0.262, 6.84], [0.262, 6.92], [0.09, 6.93]], &[], [-0.006, 0.006])
         .turned(Axis::X, 90.0)
         .around(4);
-    let blades = |pitch: f64, z: f64| screw(0.255, 0.055, pitch, 4).into_iter().map(move |s| s.at(0.0, 0.0, z));
+    let blades = |pitch: f64, z: f64| screw(0.255, 0.055, pitch, 4, 7).into_iter().map(move |s| s.at(0.0, 0.0, z));
     let whisker = rod([0.03, 0.0, 0.01], [0.13, 0.0, -0.005], 0.006, 6).around(4);
     let lying = |solid: Solid| solid.turned(Axis::Z, 45.0).turned(Axis::Y, 90.0);
     Object {
         uid: "torpedo",
+        name: "torpedo",
         label: "torpedo",
-        tags: "ordnance;uxo;mine-like;munition;auv-like",
+        tags: "ordnance;uxo;munition;underwater vehicle",
         parts: vec![
             Part::new("body", Material::Steel, [lying(lathe(&profile, 40))]),
             Part::new("fins", Material::Steel, fins.into_iter().chain(rudder).map(lying).collect::<Vec<_>>()),
@@ -296,6 +302,7 @@ fn cannon() -> Object {
     let lying = |solid: Solid| solid.turned(Axis::Y, 90.0).mapped(|p| turn(Axis::Y, 1.5) * p);
     Object {
         uid: "cannon",
+        name: "ship's cannon",
         label: "cannon",
         tags: "gun;wreck;archaeology;iron",
         parts: vec![Part::new("barrel", Material::Iron, [lathe(&profile, 44), trunnions, vent].map(lying))],

@@ -13,24 +13,24 @@ use super::solid::Solid;
 pub fn all() -> Vec<Object> {
     vec![
         rock(
-            "rock-1",
+            ["rock-1", "angular rock"],
             "stone;boulder;natural;small",
-            Boulder { size: [0.46, 0.38, 0.27], cuts: 9, cut_depth: 0.80, craggy: 0.10 },
+            Boulder { size: [0.46, 0.38, 0.27], detail: 12, cuts: 9, cut_depth: 0.80, craggy: 0.10 },
         ),
         rock(
-            "rock-2",
+            ["rock-2", "rock slab"],
             "stone;boulder;natural;slab",
-            Boulder { size: [0.95, 0.70, 0.42], cuts: 16, cut_depth: 0.72, craggy: 0.13 },
+            Boulder { size: [0.95, 0.70, 0.42], detail: 15, cuts: 16, cut_depth: 0.72, craggy: 0.13 },
         ),
         rock(
-            "rock-3",
+            ["rock-3", "large boulder"],
             "stone;boulder;natural;large",
-            Boulder { size: [1.45, 1.15, 0.95], cuts: 13, cut_depth: 0.76, craggy: 0.20 },
+            Boulder { size: [1.45, 1.15, 0.95], detail: 16, cuts: 13, cut_depth: 0.76, craggy: 0.16 },
         ),
         rock(
-            "rock-4",
+            ["rock-4", "rounded boulder"],
             "stone;boulder;natural;cobble;rounded",
-            Boulder { size: [0.62, 0.50, 0.40], cuts: 3, cut_depth: 0.92, craggy: 0.05 },
+            Boulder { size: [0.62, 0.50, 0.40], detail: 12, cuts: 3, cut_depth: 0.92, craggy: 0.05 },
         ),
         tree_trunk(),
     ]
@@ -40,6 +40,8 @@ pub fn all() -> Vec<Object> {
 struct Boulder {
     /// Extent along x, y, z, metres.
     size: [f64; 3],
+    /// Pieces that an edge of the icosahedron is cut in.
+    detail: u32,
     /// How many planes broke pieces off it.
     cuts: usize,
     /// How near to the middle they may come, as a share of the radius.
@@ -49,23 +51,23 @@ struct Boulder {
 }
 
 /// A sphere with pieces broken off along planes, roughened by ridges, flattened below, drawn to size.
-fn rock(uid: &'static str, tags: &'static str, boulder: Boulder) -> Object {
+fn rock([uid, name]: [&'static str; 2], tags: &'static str, boulder: Boulder) -> Object {
     let noise = Noise::of(uid);
     let mut stream = Stream::at(1, "starter-catalog", 1, uid);
     let mut cuts: Vec<(DVec3, f64)> = (0..boulder.cuts)
         .map(|_| {
             let out = DVec3::new(stream.normal(), stream.normal(), stream.normal()).normalize();
-            (out, stream.uniform(boulder.cut_depth - 0.12, boulder.cut_depth + 0.10))
+            (out, stream.uniform(boulder.cut_depth - 0.07, boulder.cut_depth + 0.12))
         })
         .collect();
-    cuts.push((-DVec3::Z, 0.62));
-    let rough = icosphere(4).mapped(|p| {
+    cuts.push((-DVec3::Z, 0.42));
+    let rough = icosphere(boulder.detail).mapped(|p| {
         let broken = cuts.iter().fold(1.0, |radius: f64, (out, depth)| {
             let toward = p.dot(*out);
             if toward > 0.05 { radius.min(depth / toward) } else { radius }
         });
-        let swell = 0.35 * noise.at(p * 0.9 + 7.0);
-        let crags = boulder.craggy * (noise.ridged(p * 1.7, 4) + 0.6 * noise.fractal(p * 4.0 + 3.0, 3));
+        let swell = 0.24 * noise.at(p * 0.9 + 7.0);
+        let crags = boulder.craggy * (noise.ridged(p * 1.5 + 11.3, 3) + 0.5 * noise.fractal(p * 3.0 + 3.0, 2));
         p * (broken * (1.0 + swell) + crags)
     });
     let low = rough.positions.iter().copied().reduce(DVec3::min).unwrap_or_default();
@@ -73,6 +75,7 @@ fn rock(uid: &'static str, tags: &'static str, boulder: Boulder) -> Object {
     let scale = DVec3::from_array(boulder.size) / (high - low);
     Object {
         uid,
+        name,
         label: "rock",
         tags,
         parts: vec![Part::new("rock", Material::Rock, [rough.mapped(|p| (p - low) * scale)])],
@@ -94,7 +97,7 @@ fn tree_trunk() -> Object {
     for root in 0..5 {
         let angle = radians(72.0 * f64::from(root) + 20.0);
         let (y, z) = (cos(angle), sin(angle));
-        let reach = 0.19 + 0.04 * f64::from(root % 3);
+        let reach = 0.26 + 0.04 * f64::from(root % 3);
         let path = [
             [-1.40, 0.10 * y, 0.25 + 0.10 * z],
             [-1.55, 0.18 * y, 0.26 + 0.17 * z],
@@ -114,6 +117,7 @@ fn tree_trunk() -> Object {
     }
     Object {
         uid: "tree-trunk",
+        name: "tree trunk",
         label: "tree-trunk",
         tags: "log;driftwood;wood;natural;debris;snag",
         parts: vec![Part::new("trunk", Material::Wood, solids)],

@@ -73,7 +73,7 @@ pub fn capped(rings: &[Vec<DVec3>]) -> Solid {
 #[must_use]
 pub fn lathe(profile: &[Point], around: usize) -> Solid {
     let on_axis = |p: &Point| DVec3::new(0.0, 0.0, p[1]);
-    let rings: Vec<_> = profile.iter().filter(|p| p[0] > 0.0).map(|p| ring(*p, around)).collect();
+    let rings: Vec<_> = profile.iter().filter(|p| p[0] > 1e-9).map(|p| ring(*p, around)).collect();
     loft(&rings, Ends::Fans(on_axis(&profile[0]), on_axis(&profile[profile.len() - 1])))
 }
 
@@ -157,44 +157,49 @@ pub fn cuboid(size: [f64; 3], centre: [f64; 3]) -> Solid {
     plank([x, y, z - size[2] / 2.0], [x, y, z + size[2] / 2.0], DVec3::X, [size[0], size[1]])
 }
 
-/// The unit sphere from an icosahedron, each triangle split in four `splits` times.
+/// The unit sphere from an icosahedron, each edge cut in `frequency` pieces: 20 × frequency² triangles.
 #[must_use]
-pub fn icosphere(splits: usize) -> Solid {
+pub fn icosphere(frequency: u32) -> Solid {
     let g = (1.0 + 5f64.sqrt()) / 2.0;
-    let mut positions: Vec<DVec3> = [(1.0, g), (1.0, -g), (-1.0, g), (-1.0, -g)]
+    let corners: Vec<DVec3> = [(1.0, g), (1.0, -g), (-1.0, g), (-1.0, -g)]
         .into_iter()
         .flat_map(|(a, b)| [DVec3::new(0.0, a, b), DVec3::new(a, b, 0.0), DVec3::new(b, 0.0, a)])
         .map(DVec3::normalize)
         .collect();
-    let mut triangles = nearest_triples(&positions);
-    for _ in 0..splits {
-        let mut middles = BTreeMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                positions.push((positions[a as usize] + positions[b as usize]).normalize());
-                positions.len() as u32 - 1
-            })
-        };
-        triangles = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-            })
-            .collect();
+    let mut positions = Vec::new();
+    let mut numbers = BTreeMap::new();
+    // A vertex is named by its share of each corner, so that neighbouring faces find the same one.
+    let mut vertex = |face: [usize; 3], shares: [u32; 3]| {
+        let mut name: Vec<(usize, u32)> = face.into_iter().zip(shares).filter(|(_, share)| *share > 0).collect();
+        name.sort_unstable();
+        let place: DVec3 = name.iter().map(|&(corner, share)| corners[corner] * f64::from(share)).sum();
+        *numbers.entry(name).or_insert_with(|| {
+            positions.push(place.normalize());
+            positions.len() as u32 - 1
+        })
+    };
+    let mut triangles = Vec::new();
+    for face in nearest_triples(&corners) {
+        let mut at = |i: u32, j: u32| vertex(face, [frequency - i - j, i, j]);
+        for (i, j) in (0..frequency).flat_map(|i| (0..frequency - i).map(move |j| (i, j))) {
+            triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
+            if i + j + 1 < frequency {
+                triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+            }
+        }
     }
     Solid::outward(positions, triangles)
 }
 
 /// The faces of the icosahedron: all triples of corners that are neighbours of each other, facing outwards.
-fn nearest_triples(corners: &[DVec3]) -> Vec<[u32; 3]> {
+fn nearest_triples(corners: &[DVec3]) -> Vec<[usize; 3]> {
     let near = |a: usize, b: usize| corners[a].dot(corners[b]) > 0.4;
     let mut faces = Vec::new();
     for a in 0..corners.len() {
         for b in a + 1..corners.len() {
             for c in (b + 1..corners.len()).filter(|&c| near(a, b) && near(b, c) && near(c, a)) {
                 let out = corners[a].dot(corners[b].cross(corners[c])) > 0.0;
-                faces.push(if out { [a, b, c] } else { [a, c, b] }.map(|v| v as u32));
+                faces.push(if out { [a, b, c] } else { [a, c, b] });
             }
         }
     }

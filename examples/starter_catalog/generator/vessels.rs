@@ -3,7 +3,7 @@
 use ensonify::math::real::{atan2, cos, pow, sin};
 use glam::DVec3;
 
-use super::curve::{Point, interpolate};
+use super::curve::{Point, interpolate, smooth};
 use super::object::{Material, Object, Part};
 use super::shape::{Ends, capped, cuboid, dome, lathe, loft, plank, torus};
 use super::solid::{Axis, Solid};
@@ -14,18 +14,15 @@ pub fn all() -> Vec<Object> {
 
 /// The blades of a screw about z: tip and hub radius in metres, pitch in metres a turn (negative: left-handed).
 #[must_use]
-pub fn screw(tip: f64, hub: f64, pitch: f64, count: usize) -> Vec<Solid> {
-    let steps = 12;
+pub fn screw(tip: f64, hub: f64, pitch: f64, count: usize, steps: u32) -> Vec<Solid> {
+    // Chord as a share of the tip radius: widest at two thirds, rounded off at the tip.
+    let chords = [[0.0, 0.42], [0.3, 0.66], [0.55, 0.80], [0.75, 0.80], [0.88, 0.65], [0.96, 0.42], [1.0, 0.16]];
+    let chords = smooth(&chords, 6);
     let rings: Vec<Vec<DVec3>> = (0..=steps)
         .map(|i| {
             let t = f64::from(i) / f64::from(steps);
             let radius = 0.8 * hub + (tip - 0.8 * hub) * t;
-            // Chord as a share of the tip radius: widest at two thirds, rounded off at the tip.
-            let chord = tip
-                * interpolate(
-                    &[[0.0, 0.42], [0.3, 0.66], [0.55, 0.80], [0.75, 0.80], [0.88, 0.66], [0.96, 0.42], [1.0, 0.14]],
-                    t,
-                );
+            let chord = tip * interpolate(&chords, t);
             let thick = tip * (0.085 * (1.0 - t) + 0.012);
             let slope = atan2(pitch, std::f64::consts::TAU * radius);
             let skew = 0.35 * pow(t, 2.0) * if pitch < 0.0 { 1.0 } else { -1.0 };
@@ -71,10 +68,11 @@ fn propeller() -> Object {
     hub.extend(dome(0.118, 0.16, 0.15, 6));
     Object {
         uid: "propeller",
+        name: "ship's propeller",
         label: "propeller",
         tags: "screw;ship;wreck;vessel",
         parts: vec![
-            Part::new("blades", Material::Steel, screw(0.70, 0.14, 1.25, 4)),
+            Part::new("blades", Material::Steel, screw(0.70, 0.14, 1.25, 4, 16)),
             Part::new("hub", Material::Steel, [lathe(&hub, 40)]),
         ],
     }
@@ -95,8 +93,8 @@ fn rowing_boat() -> Object {
         vec![
             *p + DVec3::new(0.0, -half, -0.05),
             *p + DVec3::new(0.0, half, -0.05),
-            *p + DVec3::new(0.0, half, 0.02),
-            *p + DVec3::new(0.0, -half, 0.02),
+            *p + DVec3::new(0.0, half, 0.005),
+            *p + DVec3::new(0.0, -half, 0.005),
         ]
     };
     let keel_bar = capped(&keel_line.iter().map(|p| slat(p, 0.015)).collect::<Vec<_>>());
@@ -114,7 +112,7 @@ fn rowing_boat() -> Object {
     let gunwales = capped(&gunwale).mirrored(Axis::Y);
     let thwarts = [0.12, 0.42, 0.70].map(|t| {
         let at = hull_line(t, 0.0)[0];
-        cuboid([0.24, 1.86 * at.y, 0.025], [at.x, 0.0, 0.30])
+        cuboid([0.24, 2.0 * half_breadth(t, 0.34), 0.025], [at.x, 0.0, 0.32])
     });
     let ribs = [0.22, 0.32, 0.52, 0.62].map(|t| {
         let inner = hull_line(t, 0.012);
@@ -135,8 +133,9 @@ fn rowing_boat() -> Object {
     timber.extend(gunwales);
     Object {
         uid: "rowing-boat",
+        name: "rowing boat",
         label: "boat",
-        tags: "rowing boat;dinghy;boat;wreck;vessel",
+        tags: "rowing boat;dinghy;wreck;vessel",
         parts: vec![
             Part::new("shell", Material::Wood, [shell]),
             Part::new("keel, stem, transom, gunwales", Material::Wood, timber),
@@ -157,7 +156,14 @@ fn keel(t: f64) -> DVec3 {
     DVec3::new(-1.65 + 3.25 * t, 0.0, 0.05 + 0.03 * (1.0 - t) + 0.32 * pow(t, 7.0))
 }
 
-/// Half of the shell's section at `t`, `inset` metres inside its surface, gunwale to gunwale.
+/// Half the inside width at `t` and this height, metres; a thwart's ends stay within the shell.
+fn half_breadth(t: f64, height: f64) -> f64 {
+    let mut rising: Vec<Point> = hull_line(t, 0.010).iter().filter(|p| p.y >= 0.0).map(|p| [p.z, p.y]).collect();
+    rising.reverse();
+    interpolate(&rising, height - 0.03)
+}
+
+/// The shell's section at `t`, `inset` metres inside its surface, from gunwale to gunwale.
 fn hull_line(t: f64, inset: f64) -> Vec<DVec3> {
     let beam = interpolate(
         &[[0.0, 0.46], [0.15, 0.56], [0.35, 0.635], [0.5, 0.64], [0.65, 0.585], [0.8, 0.43], [0.9, 0.27], [1.0, 0.035]],

@@ -32,10 +32,9 @@ const TYRE_OUTSIDE: [Point; 16] = [
     [0.3075, 0.0110],
     [0.3075, 0.0],
 ];
-const TYRE_INSIDE: [Point; 6] =
-    [[0.3000, 0.0], [0.2970, 0.050], [0.2880, 0.0800], [0.2600, 0.0910], [0.2350, 0.0860], [0.2150, 0.0750]];
+const TYRE_INSIDE: [Point; 5] = [[0.3000, 0.0], [0.2970, 0.050], [0.2840, 0.0820], [0.2480, 0.0900], [0.2150, 0.0750]];
 
-/// The tyre about z. Every other shoulder row is cut down, which makes the lugs of the tread.
+/// The tyre about z. Every third row is cut down at the shoulders, which leaves the lugs of the tread.
 fn tyre(around: usize) -> Solid {
     let mirror = |p: &Point| [p[0], -p[1]];
     let mut section: Vec<Point> = TYRE_OUTSIDE.to_vec();
@@ -48,7 +47,7 @@ fn tyre(around: usize) -> Solid {
     for row in 0..rows {
         let [radius, height] = section[row];
         let shoulder = radius > 0.3055 && (0.050..0.090).contains(&height.abs());
-        for k in (0..around).filter(|k| shoulder && (k + usize::from(height > 0.0)) % 2 == 0) {
+        for k in (0..around).filter(|k| shoulder && (k + usize::from(height > 0.0)) % 3 == 0) {
             let (angle, depth) = (step * k as f64, radius - 0.0085);
             solid.positions[row * around + k] = DVec3::new(depth * cos(angle), depth * sin(angle), height);
         }
@@ -60,9 +59,10 @@ fn tyre(around: usize) -> Solid {
 fn tire() -> Object {
     Object {
         uid: "tire",
+        name: "car tire",
         label: "tire",
         tags: "tyre;car;vehicle;debris;pollution",
-        parts: vec![Part::new("tyre", Material::Rubber, [tyre(68)])],
+        parts: vec![Part::new("tyre", Material::Rubber, [tyre(72)])],
     }
 }
 
@@ -95,6 +95,7 @@ fn car_wheel() -> Object {
     let nuts = cylinder(0.0105, [0.05, 0.078], 6).at(0.057, 0.0, 0.0).around(5);
     Object {
         uid: "car-wheel",
+        name: "car wheel",
         label: "wheel",
         tags: "car wheel;tire;tyre;rim;car;vehicle;debris",
         parts: vec![
@@ -167,6 +168,7 @@ fn bicycle() -> Object {
     let lying = |part: Part| part.mapped(|p| lie * p);
     Object {
         uid: "bicycle",
+        name: "bicycle",
         label: "bicycle",
         tags: "bike;vehicle;debris",
         parts: vec![
@@ -258,6 +260,7 @@ fn shopping_trolley() -> Object {
         });
     Object {
         uid: "shopping-trolley",
+        name: "shopping trolley",
         label: "shopping-trolley",
         tags: "shopping cart;trolley;cart;debris;urban",
         parts: vec![
