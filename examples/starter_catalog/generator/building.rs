@@ -97,7 +97,7 @@ fn concrete_pipe() -> Object {
         [0.385, 1.380],
         [0.390, 1.490],
         [0.382, 1.500],
-        [0.318, 1.500],
+        [0.320, 1.500],
         [0.305, 1.400],
         [0.252, 1.390],
     ];
@@ -228,7 +228,7 @@ fn traffic_cone() -> Object {
 
 /// A breakwater tetrapod, 1.6 m, on three of its four legs.
 fn tetrapod() -> Object {
-    let mut leg: Vec<Point> = vec![[0.0, -0.05], [0.335, 0.0], [0.318, 0.18], [0.232, 0.86], [0.215, 0.90]];
+    let mut leg: Vec<Point> = vec![[0.0, -0.05], [0.335, 0.0], [0.317, 0.18], [0.232, 0.86], [0.215, 0.90]];
     leg.extend(dome(0.19, 0.925, 0.004, 2));
     let leg = lathe(&leg, 32);
     let spread = degrees(acos(-1.0 / 3.0));

@@ -1,8 +1,8 @@
-//! Fishing gear and what divers leave: lobster pot, net float, bucket.
+//! Fishing gear and what falls off boats: lobster pot, bucket.
 
 use glam::DVec3;
 
-use super::curve::{Point, arc, spline};
+use super::curve::{Point, arc, rectangle, spline};
 use super::object::{Material, Object, Part};
 use super::shape::{Path, cuboid, lathe, plank, rod, sweep, torus, tube};
 use super::solid::{Axis, Solid};
@@ -19,7 +19,7 @@ fn lobster_pot() -> Object {
     arch.push([-radius, 0.02]);
     let bow = |x: f64| {
         let path: Vec<DVec3> = arch.iter().map(|p| DVec3::new(x, p[0], p[1])).collect();
-        sweep(&path, Path::Open, DVec3::X, |_| super::curve::rectangle(0.03, 0.024))
+        sweep(&path, Path::Open, DVec3::X, |_| rectangle(0.03, 0.024))
     };
     let mut frame: Vec<Solid> = [-half + 0.02, 0.0, half - 0.02].map(bow).to_vec();
     for x in [-half + 0.02, 0.0, half - 0.02] {
@@ -37,30 +37,7 @@ fn lobster_pot() -> Object {
     for i in -3..=3 {
         laths.push(cuboid([2.0 * half, 0.042, 0.012], [0.0, 0.09 * f64::from(i), 0.006]));
     }
-    let mut net = Vec::new();
-    for end in [-1.0, 1.0] {
-        let x = end * (half - 0.02);
-        for i in 0..10 {
-            let rim = arc([0.0, straight], radius, [-20.0, 200.0], 9)[i];
-            let hole = arc([0.0, 0.21], 0.085, [-20.0, 200.0], 9)[i];
-            net.push(rod([x, rim[0], rim[1].max(0.03)], [x - 0.12 * end, hole[0], hole[1]], 0.004, 4));
-        }
-        for i in 0..4 {
-            let hole = arc([0.0, 0.21], 0.085, [-40.0, -140.0], 3)[i];
-            net.push(rod([x, 2.3 * hole[0], 0.04], [x - 0.12 * end, hole[0], hole[1]], 0.004, 4));
-        }
-        for (share, inward) in [(0.30, 0.035), (0.65, 0.078)] {
-            let between = |a: Point, b: Point| {
-                DVec3::new(x - inward * end, a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share)
-            };
-            let outer = arc([0.0, straight], radius, [-25.0, 205.0], 14);
-            let inner = arc([0.0, 0.21], 0.085, [-25.0, 205.0], 14);
-            let round: Vec<DVec3> =
-                outer.iter().zip(&inner).map(|(a, b)| between([a[0], a[1].max(0.03)], *b)).collect();
-            net.push(tube(&round, 0.004, 4));
-        }
-        net.push(torus(0.085, 0.014, [24, 6]).turned(Axis::Y, 90.0).at(x - 0.12 * end, 0.0, 0.21));
-    }
+    let net = [-1.0, 1.0].map(|end| netted_end(end * (half - 0.02), [radius, straight])).concat();
     let bricks = [-0.16, 0.16].map(|y| cuboid([0.21, 0.10, 0.065], [0.0, y, 0.045]));
     let bridle = [
         [-0.43, 0.0, 0.44],
@@ -85,6 +62,32 @@ fn lobster_pot() -> Object {
             Part::new("bridle", Material::Rope, [tube(&spline(&bridle, 5), 0.008, 6)]),
         ],
     }
+}
+
+/// The funnel of netting in the end at `x`, whose arch has this radius over this straight side, inwards to a ring.
+fn netted_end(x: f64, [radius, straight]: [f64; 2]) -> Vec<Solid> {
+    let rim = |degrees: f64, pieces: usize| arc([0.0, straight], radius, [-degrees, 180.0 + degrees], pieces);
+    let hole = |degrees: f64, pieces: usize| arc([0.0, 0.21], 0.085, [-degrees, 180.0 + degrees], pieces);
+    let depth = 0.12 * x.signum();
+    // A point of the funnel between arch (0) and ring (1); the arch ends at the floor.
+    let between = |outer: Point, inner: Point, share: f64| {
+        let (from, to) = (DVec3::new(x, outer[0], outer[1].max(0.03)), DVec3::new(x - depth, inner[0], inner[1]));
+        from.lerp(to, share)
+    };
+    let cord = |from: DVec3, to: DVec3| tube(&[from, to], 0.004, 4);
+    let sides = rim(20.0, 9).into_iter().zip(hole(20.0, 9));
+    let mut net: Vec<Solid> = sides.map(|(a, b)| cord(between(a, b, 0.0), between(a, b, 1.0))).collect();
+    for inner in arc([0.0, 0.21], 0.085, [-40.0, -140.0], 3) {
+        let outer = [2.3 * inner[0], 0.04];
+        net.push(cord(between(outer, inner, 0.0), between(outer, inner, 1.0)));
+    }
+    for share in [0.30, 0.65] {
+        let round: Vec<DVec3> =
+            rim(25.0, 14).into_iter().zip(hole(25.0, 14)).map(|(a, b)| between(a, b, share)).collect();
+        net.push(tube(&round, 0.004, 4));
+    }
+    net.push(torus(0.085, 0.014, [24, 6]).turned(Axis::Y, 90.0).at(x - depth, 0.0, 0.21));
+    net
 }
 
 /// A 12 litre plastic bucket with its wire handle, lying on its side.

@@ -19,8 +19,29 @@ pub fn all() -> Vec<Object> {
 fn moored_mine() -> Object {
     let centre = DVec3::new(0.0, 0.0, 2.45);
     let meridian: Vec<Point> = arc([0.0, 0.0], 0.5, [-90.0, 90.0], 22);
-    let shell = lathe(&meridian, 44).mapped(|p| p + centre);
-    let belt = lathe_ring(&[[0.485, -0.03], [0.515, -0.03], [0.515, 0.03], [0.485, 0.03]], 56).mapped(|p| p + centre);
+    let belt = lathe_ring(&[[0.485, -0.03], [0.515, -0.03], [0.515, 0.03], [0.485, 0.03]], 56);
+    let foot = lathe(&[[0.0, -0.55], [0.05, -0.55], [0.08, -0.53], [0.13, -0.47], [0.13, -0.40], [0.0, -0.40]], 24);
+    let shell = [lathe(&meridian, 44), belt, foot].map(|solid| solid.mapped(|p| p + centre));
+    let links = (0..16).map(|i| {
+        let link = link([0.128, 0.076], 0.020, [3, 6]).turned(Axis::Y, 90.0);
+        link.turned(Axis::Z, f64::from(i % 2) * 90.0).at(0.0, 0.0, 1.90 - 0.088 * f64::from(i))
+    });
+    Object {
+        uid: "moored-mine",
+        name: "moored contact mine",
+        label: "moored-mine",
+        tags: "mine-like;ordnance;contact mine;naval mine;mine;sea mine",
+        parts: vec![
+            Part::new("mine", Material::Steel, shell),
+            Part::new("horns", Material::Steel, horns(centre)),
+            Part::new("chain", Material::Steel, links.collect::<Vec<_>>()),
+            Part::new("sinker", Material::Steel, sinker()),
+        ],
+    }
+}
+
+/// Hertz horns in rings about the mine's shell.
+fn horns(centre: DVec3) -> Vec<Solid> {
     let mut horn: Vec<Point> = vec![[0.0, -0.03], [0.058, -0.03], [0.058, 0.018], [0.046, 0.024], [0.030, 0.028]];
     horn.extend(dome(0.027, 0.105, 0.027, 2));
     let horn = lathe(&horn, 8);
@@ -33,45 +54,24 @@ fn moored_mine() -> Object {
             horns.push(horn.clone().aimed(out, centre + out * 0.497));
         }
     }
-    let foot = lathe(&[[0.0, -0.55], [0.05, -0.55], [0.08, -0.53], [0.13, -0.47], [0.13, -0.40], [0.0, -0.40]], 24)
-        .mapped(|p| p + centre);
-    let links = (0..).map(|i| 1.90 - 0.096 * f64::from(i)).take_while(|z| *z > 0.60).enumerate().map(|(i, z)| {
-        link([0.128, 0.076], 0.020, [3, 6])
-            .turned(Axis::Y, 90.0)
-            .turned(Axis::Z, if i % 2 == 0 { 0.0 } else { 90.0 })
-            .at(0.0, 0.0, z)
-    });
-    let box_at = |width: f64, length: f64, z: f64| -> Vec<DVec3> {
+    horns
+}
+
+/// The sinker: a steel box with the chain's bell on top, on the four wheels by which it rolled off its ship.
+fn sinker() -> Vec<Solid> {
+    let level = |width: f64, length: f64, z: f64| -> Vec<DVec3> {
         rounded_rectangle(length, width, 0.04, 2).into_iter().map(|[x, y]| DVec3::new(x, y, z)).collect()
     };
-    let sinker = capped(&[
-        box_at(0.58, 0.78, 0.08),
-        box_at(0.60, 0.80, 0.10),
-        box_at(0.60, 0.80, 0.40),
-        box_at(0.50, 0.70, 0.46),
-    ]);
-    let mut trolley =
-        vec![sinker, lathe(&[[0.0, 0.45], [0.16, 0.45], [0.14, 0.52], [0.05, 0.54], [0.04, 0.60], [0.0, 0.60]], 24)];
+    let hull = [level(0.58, 0.78, 0.08), level(0.60, 0.80, 0.10), level(0.60, 0.80, 0.40), level(0.50, 0.70, 0.46)];
+    let bell = [[0.0, 0.45], [0.16, 0.45], [0.14, 0.52], [0.05, 0.54], [0.04, 0.60], [0.0, 0.60]];
+    let wheel = [[0.0, -0.03], [0.10, -0.03], [0.10, 0.015], [0.12, 0.02], [0.12, 0.03], [0.0, 0.03]];
+    let mut sinker = vec![capped(&hull), lathe(&bell, 24)];
     for x in [-0.27, 0.27] {
-        let wheel = lathe(&[[0.0, -0.03], [0.10, -0.03], [0.10, 0.015], [0.12, 0.02], [0.12, 0.03], [0.0, 0.03]], 16)
-            .turned(Axis::X, 90.0);
-        trolley.extend(wheel.at(x, -0.33, 0.12).mirrored(Axis::Y));
-        trolley.push(cuboid([0.06, 0.64, 0.30], [x, 0.0, 0.26]));
+        sinker.extend(lathe(&wheel, 16).turned(Axis::X, 90.0).at(x, -0.33, 0.12).mirrored(Axis::Y));
+        sinker.push(cuboid([0.06, 0.64, 0.30], [x, 0.0, 0.26]));
     }
-    trolley.push(cuboid([0.82, 0.05, 0.08], [0.0, 0.22, 0.25]));
-    trolley.push(cuboid([0.82, 0.05, 0.08], [0.0, -0.22, 0.25]));
-    Object {
-        uid: "moored-mine",
-        name: "moored contact mine",
-        label: "moored-mine",
-        tags: "mine-like;ordnance;contact mine;naval mine;mine;sea mine",
-        parts: vec![
-            Part::new("mine", Material::Steel, [shell, belt, foot]),
-            Part::new("horns", Material::Steel, horns),
-            Part::new("chain", Material::Steel, links.collect::<Vec<_>>()),
-            Part::new("sinker", Material::Steel, trolley),
-        ],
-    }
+    sinker.extend(cuboid([0.82, 0.05, 0.08], [0.0, 0.22, 0.25]).mirrored(Axis::Y));
+    sinker
 }
 
 /// A bottom mine of the Manta kind: a flat truncated cone, 0.98 m across and 0.47 m high.

@@ -78,72 +78,62 @@ fn propeller() -> Object {
     }
 }
 
-/// An open rowing boat, 3.4 × 1.3 m: planked shell with keel, stem, transom, gunwales, three thwarts, upright.
+/// An open rowing boat, 3.3 × 1.3 m: planked shell with keel, stem, transom, gunwales, three thwarts, upright.
 fn rowing_boat() -> Object {
-    let stations = 20;
-    let rings: Vec<Vec<DVec3>> = (0..=stations).map(|i| f64::from(i) / f64::from(stations)).map(station).collect();
-    let shell = loft(&rings, Ends::Folds);
-    let transom_outline: Vec<DVec3> = hull_line(0.0, 0.0);
-    let transom = capped(&[
-        transom_outline.iter().map(|p| *p + DVec3::X * 0.03).collect(),
-        transom_outline.iter().map(|p| *p - DVec3::X * 0.005).collect(),
-    ]);
-    let keel_line: Vec<DVec3> = (0..=16).map(|i| keel(f64::from(i) / 16.0)).collect();
-    let slat = |p: &DVec3, half: f64| {
-        vec![
-            *p + DVec3::new(0.0, -half, -0.05),
-            *p + DVec3::new(0.0, half, -0.05),
-            *p + DVec3::new(0.0, half, 0.005),
-            *p + DVec3::new(0.0, -half, 0.005),
-        ]
-    };
-    let keel_bar = capped(&keel_line.iter().map(|p| slat(p, 0.015)).collect::<Vec<_>>());
-    let bow = keel(1.0);
-    let stem = plank([bow.x - 0.04, 0.0, bow.z - 0.04], [bow.x + 0.04, 0.0, sheer(1.0) + 0.05], DVec3::Y, [0.04, 0.08]);
-    let gunwale: Vec<Vec<DVec3>> = (0..=stations)
-        .map(|i| {
-            let t = f64::from(i) / f64::from(stations);
-            let edge = hull_line(t, 0.0)[0];
-            [[0.012, -0.03], [0.012, 0.012], [-0.028, 0.012], [-0.028, -0.03]]
-                .map(|[y, z]| edge + DVec3::new(0.0, y, z))
-                .to_vec()
-        })
-        .collect();
-    let gunwales = capped(&gunwale).mirrored(Axis::Y);
+    let shell: Vec<Vec<DVec3>> = along(20).map(station).collect();
+    let transom = [0.03, -0.005].map(|x| hull_line(0.0, 0.0).iter().map(|p| *p + DVec3::X * x).collect::<Vec<_>>());
     let thwarts = [0.12, 0.42, 0.70].map(|t| {
-        let at = hull_line(t, 0.0)[0];
-        cuboid([0.24, 2.0 * half_breadth(t, 0.34), 0.025], [at.x, 0.0, 0.32])
+        // As wide as the shell is at the narrower of the board's two edges, at its underside.
+        let width = 2.0 * half_breadth(t - 0.04, 0.30).min(half_breadth(t + 0.04, 0.30));
+        cuboid([0.24, width, 0.025], [hull_line(t, 0.0)[0].x, 0.0, 0.32])
     });
-    let ribs = [0.22, 0.32, 0.52, 0.62].map(|t| {
-        let inner = hull_line(t, 0.012);
-        let ahead = |x: f64| {
-            inner
-                .iter()
-                .map(|p| *p + DVec3::X * x)
-                .chain(hull_line(t, 0.034).iter().rev().map(|p| *p + DVec3::X * x))
-                .collect::<Vec<_>>()
-        };
-        loft(&[ahead(0.0), ahead(0.03)], Ends::Folds)
-    });
-    let oarlocks = torus(0.03, 0.014, [16, 6])
-        .turned(Axis::X, 90.0)
-        .at(hull_line(0.34, 0.0)[0].x, hull_line(0.34, 0.0)[0].y - 0.01, sheer(0.34) + 0.04)
-        .mirrored(Axis::Y);
-    let mut timber = vec![transom, keel_bar, stem];
-    timber.extend(gunwales);
+    let (bow, head) = (keel(1.0), sheer(1.0));
+    let stem = plank([bow.x - 0.04, 0.0, bow.z - 0.04], [bow.x + 0.04, 0.0, head + 0.05], DVec3::Y, [0.04, 0.08]);
+    let rowlock_at = hull_line(0.34, 0.0)[0];
+    let rowlock = torus(0.03, 0.014, [16, 6]).turned(Axis::X, 90.0);
+    let rowlocks = rowlock.at(rowlock_at.x, rowlock_at.y - 0.01, rowlock_at.z + 0.04).mirrored(Axis::Y);
+    let mut timber = vec![capped(&transom), keel_bar(), stem];
+    timber.extend(gunwale().mirrored(Axis::Y));
     Object {
         uid: "rowing-boat",
         name: "rowing boat",
         label: "boat",
         tags: "rowing boat;dinghy;wreck;vessel",
         parts: vec![
-            Part::new("shell", Material::Wood, [shell]),
+            Part::new("shell", Material::Wood, [loft(&shell, Ends::Folds)]),
             Part::new("keel, stem, transom, gunwales", Material::Wood, timber),
             Part::new("thwarts", Material::Wood, thwarts),
-            Part::new("ribs", Material::Wood, ribs),
-            Part::new("oarlocks", Material::Steel, oarlocks),
+            Part::new("ribs", Material::Wood, [0.22, 0.32, 0.52, 0.62].map(rib)),
+            Part::new("rowlocks", Material::Steel, rowlocks),
         ],
     }
+}
+
+/// `pieces` + 1 shares of the boat's length from transom to stem.
+fn along(pieces: u32) -> impl Iterator<Item = f64> {
+    (0..=pieces).map(move |i| f64::from(i) / f64::from(pieces))
+}
+
+fn keel_bar() -> Solid {
+    let section = [[-0.015, -0.05], [0.015, -0.05], [0.015, 0.005], [-0.015, 0.005]];
+    let rings: Vec<Vec<DVec3>> =
+        along(16).map(|t| section.map(|[y, z]| keel(t) + DVec3::new(0.0, y, z)).to_vec()).collect();
+    capped(&rings)
+}
+
+/// The rail on the port edge of the shell.
+fn gunwale() -> Solid {
+    let section = [[0.012, -0.03], [0.012, 0.012], [-0.028, 0.012], [-0.028, -0.03]];
+    let rings: Vec<Vec<DVec3>> =
+        along(20).map(|t| section.map(|[y, z]| hull_line(t, 0.0)[0] + DVec3::new(0.0, y, z)).to_vec()).collect();
+    capped(&rings)
+}
+
+/// A bent frame against the inside of the shell.
+fn rib(t: f64) -> Solid {
+    let (outside, inside) = (hull_line(t, 0.012), hull_line(t, 0.034));
+    let at = |x: f64| outside.iter().chain(inside.iter().rev()).map(|p| *p + DVec3::X * x).collect::<Vec<_>>();
+    loft(&[at(0.0), at(0.03)], Ends::Folds)
 }
 
 /// Height of the gunwale over the share of the length from transom to stem.
@@ -160,7 +150,7 @@ fn keel(t: f64) -> DVec3 {
 fn half_breadth(t: f64, height: f64) -> f64 {
     let mut rising: Vec<Point> = hull_line(t, 0.010).iter().filter(|p| p.y >= 0.0).map(|p| [p.z, p.y]).collect();
     rising.reverse();
-    interpolate(&rising, height - 0.03)
+    interpolate(&rising, height)
 }
 
 /// The shell's section at `t`, `inset` metres inside its surface, from gunwale to gunwale.

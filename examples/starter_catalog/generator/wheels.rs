@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::curve::{Point, circle, spline};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{Path, capped, cuboid, cylinder, lathe, lathe_ring, plank, rod, sweep, torus, tube};
+use super::shape::{capped, cuboid, cylinder, lathe, lathe_ring, plank, rod, torus, tube};
 use super::solid::{Axis, Solid, turn};
 
 pub fn all() -> Vec<Object> {
@@ -43,9 +43,7 @@ fn tyre(around: usize) -> Solid {
     section.extend(TYRE_INSIDE.iter().skip(1));
     let step = std::f64::consts::TAU / around as f64;
     let mut solid = lathe_ring(&section, around);
-    let rows = section.len();
-    for row in 0..rows {
-        let [radius, height] = section[row];
+    for (row, [radius, height]) in section.into_iter().enumerate() {
         let shoulder = radius > 0.3055 && (0.050..0.090).contains(&height.abs());
         for k in (0..around).filter(|k| shoulder && (k + usize::from(height > 0.0)) % 3 == 0) {
             let (angle, depth) = (step * k as f64, radius - 0.0085);
@@ -108,37 +106,67 @@ fn car_wheel() -> Object {
 
 /// A city bicycle with 28-inch wheels, lying on its left side on pedal, handlebar and wheels.
 fn bicycle() -> Object {
-    let (rear, front) = ([-0.44, 0.0, 0.34], [0.62, 0.0, 0.34]);
-    let (crank, seat, head) = ([0.0, 0.0, 0.28], [-0.17, 0.0, 0.80], [0.45, 0.0, 0.85]);
-    let crown = [0.485, 0.0, 0.72];
-    let wheel = |solid: Solid, hub: [f64; 3]| solid.turned(Axis::X, 90.0).at(hub[0], hub[1], hub[2]);
-    let mut tyres = Vec::new();
-    let mut metal = Vec::new();
-    for hub in [rear, front] {
-        tyres.push(wheel(torus(0.322, 0.036, [48, 8]), hub));
-        let rim = [[0.298, -0.010], [0.312, -0.012], [0.312, 0.012], [0.298, 0.010]];
-        metal.push(wheel(lathe_ring(&rim, 48), hub));
-        metal.push(wheel(cylinder(0.022, [-0.045, 0.045], 12), hub));
-        let spoke = |lean: f64| rod([0.0, 0.02, lean], [0.3, 0.0, 0.0], 0.002, 3).around(10);
-        metal.extend(spoke(0.03).into_iter().map(|s| wheel(s, hub)));
-        metal.extend(spoke(-0.03).into_iter().map(|s| wheel(s.turned(Axis::Z, 18.0), hub)));
+    // On its side it leans on pedal and handlebar: a few degrees off flat, raised at the front.
+    let lie = turn(Axis::Y, -7.0) * turn(Axis::X, 84.0);
+    let lying = |part: Part| part.mapped(|p| lie * p);
+    let tyres = HUBS.map(|hub| on_axle(torus(0.322, 0.036, [48, 8]), hub));
+    Object {
+        uid: "bicycle",
+        name: "bicycle",
+        label: "bicycle",
+        tags: "bike;vehicle;debris",
+        parts: vec![
+            lying(Part::new("frame", Material::Steel, bicycle_frame())),
+            lying(Part::new("wheels", Material::Steel, HUBS.map(spoked_wheel).concat())),
+            lying(Part::new("handlebar and drive", Material::Steel, bicycle_drive())),
+            lying(Part::new("tyres", Material::Rubber, tyres)),
+            lying(Part::new("saddle, grips, pedals", Material::Plastic, bicycle_touch_points())),
+        ],
     }
+}
+
+/// The bicycle's rear and front hub and its crank's axle; it rides towards x.
+const HUBS: [[f64; 3]; 2] = [[-0.44, 0.0, 0.34], [0.62, 0.0, 0.34]];
+const CRANK: [f64; 3] = [0.0, 0.0, 0.28];
+
+/// A disc about z as a wheel on this axle, which runs across.
+fn on_axle(disc: Solid, [x, y, z]: [f64; 3]) -> Solid {
+    disc.turned(Axis::X, 90.0).at(x, y, z)
+}
+
+/// Rim, hub and two sets of ten spokes that lean either way.
+fn spoked_wheel(hub: [f64; 3]) -> Vec<Solid> {
+    let rim = [[0.298, -0.010], [0.312, -0.012], [0.312, 0.012], [0.298, 0.010]];
+    let spoke = |lean: f64| rod([0.0, 0.02, lean], [0.3, 0.0, 0.0], 0.002, 3);
+    let mut wheel = vec![lathe_ring(&rim, 48), cylinder(0.022, [-0.045, 0.045], 12)];
+    wheel.extend(spoke(0.03).around(10));
+    wheel.extend(spoke(-0.03).turned(Axis::Z, 18.0).around(10));
+    wheel.into_iter().map(|solid| on_axle(solid, hub)).collect()
+}
+
+/// A diamond frame with its fork.
+fn bicycle_frame() -> Vec<Solid> {
+    let (seat, head, crown) = ([-0.17, 0.0, 0.80], [0.45, 0.0, 0.85], [0.485, 0.0, 0.72]);
     let mut frame = vec![
-        rod(crank, [-0.20, 0.0, 0.88], 0.015, 10),
-        rod(crank, crown, 0.018, 10),
+        rod(CRANK, [-0.20, 0.0, 0.88], 0.015, 10),
+        rod(CRANK, crown, 0.018, 10),
         rod(seat, head, 0.015, 10),
         rod([0.50, 0.0, 0.67], [0.435, 0.0, 0.90], 0.019, 10),
-        rod([0.0, -0.04, 0.28], [0.0, 0.04, 0.28], 0.022, 12),
+        on_axle(cylinder(0.022, [-0.04, 0.04], 12), CRANK),
+        rod([0.487, -0.055, 0.70], [0.487, 0.055, 0.70], 0.014, 8),
     ];
+    let [[rear, _, height], [front, ..]] = HUBS;
     for y in [-1.0, 1.0] {
-        let [rx, _, rz] = rear;
-        frame.push(rod([0.0, 0.03 * y, 0.28], [rx, 0.06 * y, rz], 0.009, 8));
-        frame.push(rod([seat[0], 0.02 * y, seat[2]], [rx, 0.06 * y, rz], 0.008, 8));
-        let blade =
-            [[0.487, 0.045 * y, 0.70], [0.52, 0.05 * y, 0.55], [0.57, 0.05 * y, 0.41], [front[0], 0.05 * y, front[2]]];
-        frame.push(tube(&spline(&blade, 3), 0.011, 8));
+        frame.push(rod([0.0, 0.03 * y, CRANK[2]], [rear, 0.06 * y, height], 0.009, 8));
+        frame.push(rod([seat[0], 0.02 * y, seat[2]], [rear, 0.06 * y, height], 0.008, 8));
+        let blade = [[0.487, 0.045, 0.70], [0.52, 0.05, 0.55], [0.57, 0.05, 0.41], [front, 0.05, height]];
+        frame.push(tube(&spline(&blade.map(|[x, half, z]| [x, half * y, z]), 3), 0.011, 8));
     }
-    frame.push(rod([0.487, -0.055, 0.70], [0.487, 0.055, 0.70], 0.014, 8));
+    frame
+}
+
+/// Handlebar with its stem, chainring and cranks.
+fn bicycle_drive() -> Vec<Solid> {
     let bar = [
         [0.30, 0.29, 1.00],
         [0.42, 0.27, 1.02],
@@ -148,36 +176,23 @@ fn bicycle() -> Object {
         [0.42, -0.27, 1.02],
         [0.30, -0.29, 1.00],
     ];
-    metal.push(tube(&spline(&bar, 4), 0.011, 8));
-    metal.push(rod([0.44, 0.0, 0.88], [0.47, 0.0, 0.99], 0.013, 8));
-    let ring = prism(&circle(0.085, 32), &[circle(0.065, 24)], [-0.002, 0.002]);
-    metal.push(wheel(ring, [0.0, -0.05, 0.28]));
-    metal.push(plank([0.0, -0.05, 0.36], [0.0, -0.05, 0.20], DVec3::X, [0.014, 0.004]));
-    metal.push(plank([0.0, -0.06, 0.28], [0.15, -0.06, 0.20], DVec3::Y, [0.014, 0.022]));
-    metal.push(plank([0.0, 0.06, 0.28], [-0.15, 0.06, 0.36], DVec3::Y, [0.014, 0.022]));
-    let mut soft = vec![
-        cuboid([0.09, 0.085, 0.024], [0.15, -0.12, 0.20]),
-        cuboid([0.09, 0.085, 0.024], [-0.15, 0.12, 0.36]),
-        saddle(),
-    ];
-    for y in [-1.0, 1.0] {
-        soft.push(rod([0.38, 0.282 * y, 1.012], [0.285, 0.292 * y, 0.997], 0.017, 10));
-    }
-    // On its side it leans on pedal and handlebar: a few degrees off flat, raised at the front.
-    let lie = turn(Axis::Y, -7.0) * turn(Axis::X, 84.0);
-    let lying = |part: Part| part.mapped(|p| lie * p);
-    Object {
-        uid: "bicycle",
-        name: "bicycle",
-        label: "bicycle",
-        tags: "bike;vehicle;debris",
-        parts: vec![
-            lying(Part::new("frame", Material::Steel, frame)),
-            lying(Part::new("wheels and drive", Material::Steel, metal)),
-            lying(Part::new("tyres", Material::Rubber, tyres)),
-            lying(Part::new("saddle, grips, pedals", Material::Plastic, soft)),
-        ],
-    }
+    let chainring = prism(&circle(0.085, 32), &[circle(0.065, 24)], [-0.002, 0.002]);
+    vec![
+        tube(&spline(&bar, 4), 0.011, 8),
+        rod([0.44, 0.0, 0.88], [0.47, 0.0, 0.99], 0.013, 8),
+        on_axle(chainring, [0.0, -0.05, 0.28]),
+        plank([0.0, -0.05, 0.36], [0.0, -0.05, 0.20], DVec3::X, [0.014, 0.004]),
+        plank([0.0, -0.06, 0.28], [0.15, -0.06, 0.20], DVec3::Y, [0.014, 0.022]),
+        plank([0.0, 0.06, 0.28], [-0.15, 0.06, 0.36], DVec3::Y, [0.014, 0.022]),
+    ]
+}
+
+/// Pedals, saddle and grips.
+fn bicycle_touch_points() -> Vec<Solid> {
+    let pedal = [0.09, 0.085, 0.024];
+    let mut points = vec![cuboid(pedal, [0.15, -0.12, 0.20]), cuboid(pedal, [-0.15, 0.12, 0.36]), saddle()];
+    points.extend([-1.0, 1.0].map(|y| rod([0.38, 0.282 * y, 1.012], [0.285, 0.292 * y, 0.997], 0.017, 10)));
+    points
 }
 
 fn saddle() -> Solid {
@@ -196,78 +211,71 @@ fn saddle() -> Solid {
 
 /// A supermarket trolley, 0.9 × 0.57 × 1.0 m: wire basket, handle, tubular chassis, four castors.
 fn shopping_trolley() -> Object {
-    // Half width and height of the basket's rim and floor at its front (x = 0.40) and back (x = -0.40).
-    let rim = |t: f64| DVec3::new(-0.42 + 0.86 * t, 0.27 - 0.07 * t, 0.98 - 0.08 * t);
-    let floor = |t: f64| DVec3::new(-0.38 + 0.74 * t, 0.22 - 0.05 * t, 0.50 + 0.10 * t);
-    let port = |p: DVec3| DVec3::new(p.x, -p.y, p.z);
-    let wire = |points: &[DVec3], thick: f64| tube(points, thick / 2.0, 4);
-    let mut wires = Vec::new();
-    for i in 0..=14 {
-        let t = f64::from(i) / 14.0;
-        wires.push(wire(&[rim(t), floor(t)], 0.006));
-        wires.push(wire(&[port(rim(t)), port(floor(t))], 0.006));
-        wires.push(wire(&[floor(t), port(floor(t))], 0.006));
-    }
-    for t in [0.0, 1.0] {
-        for i in 1..10 {
-            let s = f64::from(i) / 10.0;
-            wires.push(wire(&[rim(t).lerp(port(rim(t)), s), floor(t).lerp(port(floor(t)), s)], 0.006));
-        }
-    }
-    for i in 1..9 {
-        let s = f64::from(i) / 9.0;
-        wires.push(wire(&[floor(0.0).lerp(port(floor(0.0)), s), floor(1.0).lerp(port(floor(1.0)), s)], 0.006));
-    }
-    for (s, thick) in [(0.0, 0.014), (0.25, 0.006), (0.5, 0.008), (0.75, 0.006), (1.0, 0.010)] {
-        let level = |t: f64| rim(t).lerp(floor(t), s);
-        let loop_ = [level(0.0), level(1.0), port(level(1.0)), port(level(0.0))];
-        for (a, b) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
-            wires.push(wire(&[loop_[a], loop_[b]], thick));
-        }
-    }
-    let mut chassis = Vec::new();
-    let mut wheels = Vec::new();
-    for y in [-1.0, 1.0] {
-        let side = [
-            [-0.47, 0.25 * y, 1.02],
-            [-0.44, 0.25 * y, 0.92],
-            [-0.40, 0.235 * y, 0.50],
-            [-0.42, 0.25 * y, 0.22],
-            [-0.36, 0.25 * y, 0.165],
-            [0.40, 0.17 * y, 0.165],
-        ];
-        chassis.push(tube(&spline(&side, 3), 0.013, 8));
-        chassis.push(rod([-0.30, 0.245 * y, 0.17], [0.33, 0.17 * y, 0.58], 0.010, 8));
-        for (x, half) in [(-0.36, 0.25), (0.40, 0.17)] {
-            let (x, hub) = (x - 0.03, [x - 0.03, half * y, 0.0625]);
-            chassis.push(cylinder(0.012, [0.13, 0.17], 8).at(x + 0.03, half * y, 0.0));
-            for fork in [-0.02, 0.02] {
-                chassis.push(plank(
-                    [x + 0.02, half * y + fork, 0.14],
-                    [hub[0], hub[1] + fork, hub[2]],
-                    DVec3::Y,
-                    [0.004, 0.035],
-                ));
-            }
-            wheels.push(cylinder(0.0625, [-0.015, 0.015], 20).turned(Axis::X, 90.0).at(hub[0], hub[1], hub[2]));
-        }
-    }
-    chassis.push(rod([0.40, -0.17, 0.165], [0.40, 0.17, 0.165], 0.013, 8));
-    chassis.push(rod([-0.40, -0.235, 0.50], [-0.40, 0.235, 0.50], 0.011, 8));
-    let handle =
-        sweep(&[DVec3::new(-0.475, -0.285, 1.03), DVec3::new(-0.475, 0.285, 1.03)], Path::Open, DVec3::X, |_| {
-            circle(0.017, 12)
-        });
+    let handle = rod([-0.475, -0.285, 1.03], [-0.475, 0.285, 1.03], 0.017, 12);
+    let castors = [[-0.39, 0.25], [-0.39, -0.25], [0.37, 0.17], [0.37, -0.17]];
+    let wheel = cylinder(0.0625, [-0.015, 0.015], 20);
     Object {
         uid: "shopping-trolley",
         name: "shopping trolley",
         label: "shopping-trolley",
         tags: "shopping cart;trolley;cart;debris;urban",
         parts: vec![
-            Part::new("basket", Material::Steel, wires),
-            Part::new("chassis", Material::Steel, chassis),
-            Part::new("wheels", Material::Rubber, wheels),
+            Part::new("basket", Material::Steel, trolley_basket()),
+            Part::new("chassis", Material::Steel, trolley_chassis()),
+            Part::new("castors", Material::Steel, castors.map(castor).concat()),
+            Part::new("wheels", Material::Rubber, castors.map(|[x, y]| on_axle(wheel.clone(), [x, y, 0.0625]))),
             Part::new("handle", Material::Plastic, [handle]),
         ],
     }
+}
+
+/// The wire basket: it narrows and its floor rises from back to front.
+fn trolley_basket() -> Vec<Solid> {
+    // Starboard edges from the back (0) to the front (1).
+    let rim = |t: f64| DVec3::new(-0.42 + 0.86 * t, 0.27 - 0.07 * t, 0.98 - 0.08 * t);
+    let floor = |t: f64| DVec3::new(-0.38 + 0.74 * t, 0.22 - 0.05 * t, 0.50 + 0.10 * t);
+    let other = |p: DVec3| DVec3::new(p.x, -p.y, p.z);
+    let wire = |a: DVec3, b: DVec3| tube(&[a, b], 0.003, 4);
+    let mut wires = Vec::new();
+    for t in (0..=14).map(|i| f64::from(i) / 14.0) {
+        wires.push(wire(rim(t), floor(t)));
+        wires.push(wire(other(rim(t)), other(floor(t))));
+        wires.push(wire(floor(t), other(floor(t))));
+    }
+    for s in (1..10).map(|i| f64::from(i) / 10.0) {
+        let (back, front) = (floor(0.0).lerp(other(floor(0.0)), s), floor(1.0).lerp(other(floor(1.0)), s));
+        wires.push(wire(back, front));
+        wires.push(wire(rim(0.0).lerp(other(rim(0.0)), s), back));
+        wires.push(wire(rim(1.0).lerp(other(rim(1.0)), s), front));
+    }
+    for (depth, thick) in [(0.0, 0.014), (0.25, 0.006), (0.5, 0.008), (0.75, 0.006), (1.0, 0.010)] {
+        let level = |t: f64| rim(t).lerp(floor(t), depth);
+        let corners = [level(0.0), level(1.0), other(level(1.0)), other(level(0.0))];
+        wires.extend((0..4).map(|i| tube(&[corners[i], corners[(i + 1) % 4]], thick / 2.0, 4)));
+    }
+    wires
+}
+
+fn trolley_chassis() -> Vec<Solid> {
+    let side = [
+        [-0.47, 0.25, 1.02],
+        [-0.44, 0.25, 0.92],
+        [-0.40, 0.235, 0.50],
+        [-0.42, 0.25, 0.22],
+        [-0.36, 0.25, 0.165],
+        [0.40, 0.17, 0.165],
+    ];
+    let mut chassis = vec![
+        rod([0.40, -0.17, 0.165], [0.40, 0.17, 0.165], 0.013, 8),
+        rod([-0.40, -0.235, 0.50], [-0.40, 0.235, 0.50], 0.011, 8),
+    ];
+    chassis.extend(tube(&spline(&side, 3), 0.013, 8).mirrored(Axis::Y));
+    chassis.extend(rod([-0.30, 0.245, 0.17], [0.33, 0.17, 0.58], 0.010, 8).mirrored(Axis::Y));
+    chassis
+}
+
+/// Pivot and fork of a castor whose wheel stands at this place.
+fn castor([x, y]: Point) -> Vec<Solid> {
+    let leg = |side: f64| plank([x + 0.02, y + side, 0.14], [x, y + side, 0.0625], DVec3::Y, [0.004, 0.035]);
+    vec![cylinder(0.012, [0.13, 0.17], 8).at(x + 0.03, y, 0.0), leg(-0.02), leg(0.02)]
 }
