@@ -1,0 +1,50 @@
+//! The starter catalog, drawn by parameters: the same bytes on every machine.
+//!
+//! One module a family of objects; `shape`, `prism`, `curve` and `noise` draw surfaces, `glb` and `listing` write files.
+
+mod anchors;
+mod building;
+mod containers;
+mod curve;
+mod gear;
+mod glb;
+mod listing;
+mod noise;
+mod object;
+mod ordnance;
+mod prism;
+mod rocks;
+mod shape;
+mod solid;
+mod vessels;
+mod wheels;
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+
+/// Every file of the catalog by its name.
+///
+/// # Errors
+/// If a model cannot be serialised.
+pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut objects = [
+        anchors::all(),
+        building::all(),
+        containers::all(),
+        gear::all(),
+        ordnance::all(),
+        rocks::all(),
+        vessels::all(),
+        wheels::all(),
+    ]
+    .concat();
+    objects.sort_by_key(|object| object.uid);
+    let mut files = BTreeMap::new();
+    for object in &objects {
+        files.insert(object.file_name(), glb::bytes(object)?);
+    }
+    files.insert("catalog.csv".into(), listing::catalog_csv(&objects)?);
+    files.insert("README.md".into(), listing::readme(&objects).into_bytes());
+    Ok(files)
+}
