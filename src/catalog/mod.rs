@@ -2,6 +2,10 @@
 //!
 //! Knows what a model is, how large it really is and what it is made of; knows nothing of scenes.
 
+pub mod error;
+pub mod glb;
 pub mod model;
 
+pub use error::{CatalogError, ModelFault};
+pub use glb::load_model;
 pub use model::{Model, Part};

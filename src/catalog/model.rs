@@ -5,8 +5,13 @@ use glam::Vec3;
 /// One material's triangles of a model. Frame: x right, y back, z up (glTF's y-up turned), metres after scaling.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
-    /// Name of the node that the part hangs on (empty if it has none).
+    /// Name of the node that the part belongs to (empty if it has none): of itself and its ancestors, the nearest
+    /// with a category of its own, else the nearest with a name.
     pub node: String,
+    /// Number of that node in the file: parts of one thing share it, parts of equally named things do not.
+    pub node_number: u32,
+    /// `extras.categoryID` of that node (empty if it has none).
+    pub category: String,
     /// Name of the glTF material (empty if it has none).
     pub material: String,
     /// Vertex positions.
