@@ -114,7 +114,7 @@ pub enum ModelFault {
         problem: String,
     },
     /// Nothing that a sonar could see.
-    #[error("holds no triangles; points and lines are no surface")]
+    #[error("holds no triangles that have an area; points and lines are no surface")]
     NoTriangles,
 }
 

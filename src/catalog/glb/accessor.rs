@@ -59,7 +59,7 @@ impl File {
                 self.slices(span).map_err(broken)?.map(decode).collect()
             }
             None if accessor.sparse.is_some() => vec![[T::default(); N]; count],
-            None => return Err(broken("it has no data".into())),
+            None => return Err(self.without_data(number)),
         };
         if let Some(sparse) = &accessor.sparse {
             let Checked::Valid(index_kind) = sparse.indices.component_type else {
@@ -89,6 +89,14 @@ impl File {
             }
         }
         Ok(values)
+    }
+
+    /// An accessor without data is compressed by an extension, or a mistake.
+    fn without_data(&self, number: usize) -> ModelFault {
+        match self.root.extensions_used.iter().find(|name| name.ends_with("_compression")) {
+            Some(name) => ModelFault::Extension(name.clone()),
+            None => ModelFault::broken(place(number), "it has no data"),
+        }
     }
 
     /// The bytes of each element of a span, once the whole of it is known to lie inside view and buffer.
