@@ -2,7 +2,9 @@
 //!
 //! Knows nothing of recipes, sonars or images.
 
+pub mod bvh;
 pub mod mesh;
+pub mod seabed;
 
 use std::sync::Arc;
 
