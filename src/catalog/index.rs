@@ -161,6 +161,18 @@ impl Catalog {
         self.assets.iter().find(|asset| asset.uid == uid)
     }
 
+    /// The asset of that uid; `name` is what the recipe calls this catalog.
+    ///
+    /// # Errors
+    /// [`CatalogError::NoMatch`] with the nearest uid.
+    pub fn pick_uid(&self, name: &str, uid: &str) -> Result<&Asset, CatalogError> {
+        self.get(uid).ok_or_else(|| CatalogError::NoMatch {
+            catalog: name.into(),
+            wanted: format!("uid `{uid}`"),
+            nearest: did_you_mean(uid, self.assets.iter().map(|asset| asset.uid.as_str())),
+        })
+    }
+
     /// All assets that a pick names, in file order; never none.
     ///
     /// # Errors
@@ -170,10 +182,7 @@ impl Catalog {
             |wanted: String, nearest: String| CatalogError::NoMatch { catalog: pick.catalog.clone(), wanted, nearest };
         let uids = pick.uid.as_ref().map(OneOrMany::words);
         for uid in uids.unwrap_or_default() {
-            if self.get(uid).is_none() {
-                let nearest = did_you_mean(uid, self.assets.iter().map(|asset| asset.uid.as_str()));
-                return Err(none(format!("uid `{uid}`"), nearest));
-            }
+            self.pick_uid(&pick.catalog, uid)?;
         }
         for tag in pick.tags.iter().flatten() {
             let known = || self.assets.iter().flat_map(|asset| asset.tags.iter().map(String::as_str));
