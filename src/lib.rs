@@ -3,3 +3,4 @@ pub mod catalog;
 pub mod math;
 pub mod scene;
 pub mod sonar;
+pub mod vehicle;
