@@ -9,4 +9,5 @@ pub mod recipe;
 pub mod scene;
 pub mod sonar;
 pub mod store;
+pub mod vehicle;
 pub mod view;

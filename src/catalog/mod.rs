@@ -2,7 +2,16 @@
 //!
 //! Knows what a model is, how large it really is and what it is made of; knows nothing of scenes.
 
+pub mod error;
+pub mod find;
+pub mod glb;
+pub mod index;
+pub mod materials;
 pub mod model;
 pub mod sonars;
 
+pub use error::{CatalogError, ModelFault};
+pub use find::find_catalog;
+pub use glb::load_model;
+pub use index::{Asset, Catalog, OneOrMany, Pick, Up};
 pub use model::{Model, Part};

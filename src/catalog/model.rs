@@ -5,8 +5,13 @@ use glam::Vec3;
 /// One material's triangles of a model. Frame: x right, y back, z up (glTF's y-up turned), metres after scaling.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
-    /// Name of the node that the part hangs on (empty if it has none).
+    /// Name of the node that the part belongs to (empty if it has none): of itself and its ancestors, the nearest
+    /// with a category of its own, else the nearest with a name.
     pub node: String,
+    /// Number of that node in the file: parts of one thing share it, parts of equally named things do not.
+    pub node_number: u32,
+    /// `extras.categoryID` of that node (empty if it has none).
+    pub category: String,
     /// Name of the glTF material (empty if it has none).
     pub material: String,
     /// Vertex positions.
@@ -29,5 +34,22 @@ impl Model {
         let used =
             self.parts.iter().flat_map(|part| part.triangles.iter().flatten().map(|&v| part.positions[v as usize]));
         used.fold(None, |bounds, p| Some(bounds.map_or((p, p), |(low, high): (Vec3, Vec3)| (low.min(p), high.max(p)))))
+    }
+
+    /// Moves every vertex.
+    pub fn map(&mut self, turn: impl Fn(Vec3) -> Vec3) {
+        self.parts.iter_mut().flat_map(|part| &mut part.positions).for_each(|p| *p = turn(*p));
+    }
+
+    /// Scales so that the longest side is `size` metres and moves the middle of the base to the origin, the lowest
+    /// point to z = 0. A model without extent stays as it is.
+    pub fn rest_at_origin(&mut self, size: f64) {
+        let Some((low, high)) = self.bounds() else { return };
+        let longest = f64::from((high - low).max_element());
+        if longest > 0.0 {
+            let base = Vec3::new(low.x * 0.5 + high.x * 0.5, low.y * 0.5 + high.y * 0.5, low.z);
+            let scale = (size / longest) as f32;
+            self.map(|p| (p - base) * scale);
+        }
     }
 }

@@ -2,13 +2,27 @@
 //!
 //! Knows nothing of recipes, sonars or images.
 
+pub mod assets;
+pub mod build;
+pub mod bvh;
+pub mod environment;
+pub mod ground;
 pub mod mesh;
+pub mod placement;
+pub mod seabed;
 
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+pub use assets::AssetCache;
+pub use build::{BodySpec, Built, Dropped, SceneError, SceneSpec, build};
+pub use bvh::{Bvh, Hit};
+pub use environment::{EnvironmentSpec, Labels};
+pub use ground::Ground;
 pub use mesh::{Cluster, Mesh};
+pub use placement::{At, PoseSpec, Rest};
+pub use seabed::{HeightGrid, SeabedSpec};
 
 /// A mesh at a place in the world.
 #[derive(Clone, Debug)]

@@ -1,0 +1,137 @@
+//! What can be wrong with a catalog or a model, and what to do about it.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// A catalog, an entry of it or a model file that cannot be used.
+#[derive(Debug, Error)]
+pub enum CatalogError {
+    /// No catalog of that name or folder.
+    #[error("no catalog `{name}`: looked for catalog.csv in {looked}; put the catalog's folder there or give its path")]
+    NotFound {
+        /// As written in the recipe.
+        name: String,
+        /// Folders tried, in order, separated by commas.
+        looked: String,
+    },
+    /// The index cannot be read.
+    #[error("{path}: {problem}; a catalog is a folder with a catalog.csv whose first line names its columns", path = path.display())]
+    Unreadable {
+        /// The index file.
+        path: PathBuf,
+        /// What the system or the CSV reader says.
+        problem: String,
+    },
+    /// A column that every index has is not there.
+    #[error("{path}:1: no column `{column}`; the columns are {columns}", path = path.display())]
+    Column {
+        /// The index file.
+        path: PathBuf,
+        /// The missing column.
+        column: &'static str,
+        /// All columns, separated by commas.
+        columns: String,
+    },
+    /// A row of the index is wrong.
+    #[error("{path}:{line}: {problem}", path = path.display())]
+    Row {
+        /// The index file.
+        path: PathBuf,
+        /// Line in the file, from 1.
+        line: u64,
+        /// What is wrong, and the remedy.
+        problem: String,
+    },
+    /// A pick names nothing.
+    #[error("catalog `{catalog}` has nothing with {wanted}{nearest}")]
+    NoMatch {
+        /// The catalog's name.
+        catalog: String,
+        /// What was asked for.
+        wanted: String,
+        /// `; did you mean …?`, or empty.
+        nearest: String,
+    },
+    /// A name that no table of materials or sediments has.
+    #[error("no {kind} `{name}`{nearest}; there are {known}")]
+    UnknownName {
+        /// `material` or `sediment`.
+        kind: &'static str,
+        /// As given.
+        name: String,
+        /// `; did you mean …?`, or empty.
+        nearest: String,
+        /// All names, separated by commas.
+        known: String,
+    },
+    /// An entry of a table of materials or sediments is wrong.
+    #[error("{table}: {problem}")]
+    Table {
+        /// The table's file name.
+        table: &'static str,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A model file cannot be used.
+    #[error("{path} {fault}", path = path.display())]
+    Model {
+        /// The model file.
+        path: PathBuf,
+        /// Why not.
+        fault: ModelFault,
+    },
+}
+
+/// Why a model file cannot be used; reads on from the file's name.
+#[derive(Debug, Error)]
+pub enum ModelFault {
+    /// Missing or unreadable.
+    #[error("cannot be read: {0}")]
+    Io(#[from] std::io::Error),
+    /// Beyond what one model may have.
+    #[error("has {count} {what}, more than the {limit} that one model may have; simplify it")]
+    TooLarge {
+        /// Bytes, triangles or vertices.
+        what: &'static str,
+        /// How many there are.
+        count: u64,
+        /// How many there may be.
+        limit: u64,
+    },
+    /// Not glTF 2.0, or cut off.
+    #[error("is not a whole glTF 2.0 file: {0}; export it again as GLB")]
+    NotGltf(String),
+    /// Geometry in a form that is not read.
+    #[error("needs the glTF extension {0}, which is not supported; export it without")]
+    Extension(String),
+    /// A part of the file contradicts another.
+    #[error("is broken at {place}: {problem}; export it again")]
+    Broken {
+        /// Where, e.g. `accessors[3]`.
+        place: String,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// Nothing that a sonar could see.
+    #[error("holds no triangles that have an area; points and lines are no surface")]
+    NoTriangles,
+}
+
+impl ModelFault {
+    pub(crate) fn broken(place: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self::Broken { place: place.into(), problem: problem.into() }
+    }
+}
+
+/// `; did you mean X?` for the word nearest to `name`, or nothing if none is near.
+pub(crate) fn did_you_mean<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> String {
+    let best = words
+        .into_iter()
+        .map(|word| (strsim::normalized_damerau_levenshtein(name, word), word))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    match best {
+        Some((likeness, word)) if likeness >= 0.5 => format!("; did you mean `{word}`?"),
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,113 @@
+//! Models and environments as meshes, each loaded once however many scenes and threads ask for it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::environment::{Environment, EnvironmentSpec};
+use super::mesh::Mesh;
+use crate::catalog::materials::{UNKNOWN, material_in_name};
+use crate::catalog::{Catalog, CatalogError, find_catalog};
+
+/// A model of a catalog as a mesh: the middle of its base at the origin, metres.
+#[derive(Debug)]
+pub struct Solid {
+    /// The surface.
+    pub mesh: Arc<Mesh>,
+    /// For each material slot of the mesh, a name in the table of materials.
+    pub materials: Vec<String>,
+}
+
+/// What scenes are built from.
+#[derive(Debug)]
+pub struct AssetCache {
+    recipe_dir: PathBuf,
+    catalogs: Slots<String, Catalog>,
+    solids: Slots<(String, String), Solid>,
+    environments: Slots<(String, String, String), Environment>,
+}
+
+impl AssetCache {
+    /// A cache that resolves catalogs and files from the recipe's folder.
+    #[must_use]
+    pub fn new(recipe_dir: &Path) -> Self {
+        Self {
+            recipe_dir: recipe_dir.to_path_buf(),
+            catalogs: Slots::default(),
+            solids: Slots::default(),
+            environments: Slots::default(),
+        }
+    }
+
+    /// The catalog of that name or folder.
+    ///
+    /// # Errors
+    /// If there is none or its index is wrong.
+    pub fn catalog(&self, name: &str) -> Result<Arc<Catalog>, CatalogError> {
+        self.catalogs.get(name.into(), || Catalog::open(&find_catalog(name, &self.recipe_dir)?))
+    }
+
+    /// A model of a catalog, scaled to its size.
+    ///
+    /// # Errors
+    /// If the catalog, the uid or the model file is wrong or missing.
+    pub fn solid(&self, catalog: &str, uid: &str) -> Result<Arc<Solid>, CatalogError> {
+        self.solids.get((catalog.into(), uid.into()), || {
+            let index = self.catalog(catalog)?;
+            let asset = index.pick_uid(catalog, uid)?;
+            let mesh = Mesh::from_parts(&asset.scaled_model()?.parts);
+            let otherwise = if asset.material.is_empty() { UNKNOWN } else { &asset.material };
+            let materials = mesh.materials.iter().map(|name| material_in_name(name).unwrap_or(otherwise).into());
+            Ok(Solid { materials: materials.collect(), mesh: Arc::new(mesh) })
+        })
+    }
+
+    /// An environment; its file is found from the recipe's folder.
+    ///
+    /// # Errors
+    /// If the file or the sediment is wrong or missing.
+    pub fn environment(&self, spec: &EnvironmentSpec) -> Result<Arc<Environment>, CatalogError> {
+        let key = (spec.glb.clone(), format!("{:?}", spec.labels), spec.sediment.clone());
+        self.environments.get(key, || Environment::load(spec, &self.recipe_dir.join(&spec.glb)))
+    }
+}
+
+/// Values made on first use; while one is made, only those who want the same wait.
+#[derive(Debug)]
+struct Slots<K, V>(Mutex<BTreeMap<K, Slot<V>>>);
+
+type Slot<V> = Arc<Mutex<Option<Arc<V>>>>;
+
+impl<K, V> Default for Slots<K, V> {
+    fn default() -> Self {
+        Self(Mutex::new(BTreeMap::new()))
+    }
+}
+
+impl<K: Ord, V> Slots<K, V> {
+    fn get<E>(&self, key: K, make: impl FnOnce() -> Result<V, E>) -> Result<Arc<V>, E> {
+        // A thread that panicked left its slot empty or full, never half: the locks stay usable.
+        let slot = self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
+        let mut held = slot.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(value) = &*held {
+            return Ok(value.clone());
+        }
+        let value = Arc::new(make()?);
+        *held = Some(value.clone());
+        Ok(value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_is_made_once_and_an_error_is_tried_again() {
+        let slots: Slots<u8, u32> = Slots::default();
+        assert_eq!(slots.get(1, || Err::<u32, _>("no")), Err("no"));
+        let first = slots.get(1, || Ok::<_, &str>(7)).expect("made");
+        let again = slots.get(1, || Err::<u32, _>("not asked")).expect("kept");
+        assert!(Arc::ptr_eq(&first, &again));
+    }
+}

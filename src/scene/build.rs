@@ -1,0 +1,240 @@
+//! Specification to scene: seabed, environment, then bodies one after the other.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::assets::AssetCache;
+use super::environment::{EnvironmentSpec, Surface};
+use super::ground::Ground;
+use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
+use super::seabed::{SeabedError, SeabedSpec};
+use super::{Body, Instance, Material, Mesh, Scene};
+use crate::catalog::CatalogError;
+use crate::catalog::materials::{lambert_mu, material, sediment};
+use crate::math::rng::Stream;
+
+/// A world to build.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SceneSpec {
+    /// A generated bottom.
+    pub seabed: Option<SeabedSpec>,
+    /// A fixed world.
+    pub environment: Option<EnvironmentSpec>,
+    /// Objects, in this order.
+    pub bodies: Vec<BodySpec>,
+}
+
+/// An object to place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodySpec {
+    /// Category in the annotations.
+    pub label: String,
+    /// Name or folder of a catalog.
+    pub catalog: String,
+    /// Model of the catalog.
+    pub uid: String,
+    /// Where it stands.
+    pub pose: PoseSpec,
+}
+
+/// A scene, the ground in it, and what found no place.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// Instances: seabed, background of the environment, its bodies, then the objects in their order.
+    pub scene: Scene,
+    /// What altitudes are measured from. Does not include the objects.
+    pub ground: Ground,
+    /// Objects that are not in the scene.
+    pub dropped: Vec<Dropped>,
+}
+
+/// An object that found no place.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Dropped {
+    /// Index into [`SceneSpec::bodies`].
+    pub body: usize,
+    /// Its category.
+    pub label: String,
+    /// Catalog and uid.
+    pub asset: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// A scene that cannot be built.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// A catalog, a model, a sediment or a material.
+    #[error(transparent)]
+    Catalog(#[from] CatalogError),
+    /// The seabed.
+    #[error(transparent)]
+    Seabed(#[from] SeabedError),
+    /// An object.
+    #[error("bodies[{body}] ({label}): {problem}")]
+    Body {
+        /// Index into [`SceneSpec::bodies`].
+        body: usize,
+        /// Its category.
+        label: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// More bodies than a 16-bit mask can number.
+    #[error("{count} bodies in one scene; masks number at most 65535: take fewer objects or `labels: none`")]
+    TooManyBodies {
+        /// How many there are.
+        count: usize,
+    },
+}
+
+impl SceneSpec {
+    /// Finds what [`build`] would refuse, without meshing anything but the models, which stay in the cache.
+    ///
+    /// # Errors
+    /// See [`SceneError`].
+    pub fn check(&self, assets: &AssetCache) -> Result<(), SceneError> {
+        if let Some(seabed) = &self.seabed {
+            sediment(&seabed.sediment)?;
+            seabed.check()?;
+        }
+        if let Some(environment) = &self.environment {
+            assets.environment(environment)?;
+        }
+        for (body, spec) in self.bodies.iter().enumerate() {
+            if let Some(problem) = spec.pose.fault() {
+                return Err(SceneError::Body { body, label: spec.label.clone(), problem });
+            }
+            assets.solid(&spec.catalog, &spec.uid)?;
+        }
+        Ok(())
+    }
+}
+
+/// Builds a scene. The same specification, models, seed and scene index give the same bits.
+///
+/// Objects that rest are placed after those with a given pose, else in their order. An object that finds no free place
+/// is left out and listed in [`Built::dropped`]. Objects with given poses stand there whatever else does.
+///
+/// # Errors
+/// See [`SceneError`].
+pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64) -> Result<Built, SceneError> {
+    spec.check(assets)?;
+    let mut ground = Ground::default();
+    let mut builder = Builder::default();
+    if let Some(seabed) = &spec.seabed {
+        let grid = seabed.build(&mut Stream::at(seed, "scene", scene_index, "seabed"))?;
+        let mesh = Arc::new(grid.mesh(&seabed.sediment));
+        builder.add(mesh, DAffine3::IDENTITY, 0, &[Surface::Sediment(seabed.sediment.clone())])?;
+        ground.seabed = Some(Arc::new(grid));
+    }
+    if let Some(environment) = &spec.environment {
+        let world = assets.environment(environment)?;
+        for thing in &world.things {
+            let body = match &thing.label {
+                Some(label) => builder.body(label, thing.node.clone(), &thing.mesh, &DAffine3::IDENTITY)?,
+                None => 0,
+            };
+            builder.add(thing.mesh.clone(), DAffine3::IDENTITY, body, &thing.materials)?;
+        }
+        ground.environment = Some(world);
+    }
+    let stream = |body: usize| Stream::at(seed, "scene", scene_index, &format!("bodies[{body}].place"));
+    let places = place(spec, assets, &ground, &stream)?;
+    let mut dropped = Vec::new();
+    for (number, (body, standing)) in spec.bodies.iter().zip(places).enumerate() {
+        let asset = asset_name(body);
+        let Some(standing) = standing else {
+            let reason = format!("no free place on the ground in {TRIES} tries");
+            dropped.push(Dropped { body: number, label: body.label.clone(), asset, reason });
+            continue;
+        };
+        let solid = assets.solid(&body.catalog, &body.uid)?;
+        let surfaces: Vec<Surface> = solid.materials.iter().cloned().map(Surface::Material).collect();
+        let id = builder.body(&body.label, asset, &solid.mesh, &standing.world_from_mesh)?;
+        builder.add(solid.mesh.clone(), standing.world_from_mesh, id, &surfaces)?;
+    }
+    Ok(Built { scene: builder.scene, ground, dropped })
+}
+
+/// A place for each body; given poses first, so that what rests keeps clear of them.
+fn place(
+    spec: &SceneSpec,
+    assets: &AssetCache,
+    ground: &Ground,
+    stream: &dyn Fn(usize) -> Stream,
+) -> Result<Vec<Option<Standing>>, SceneError> {
+    let mut places: Vec<Option<Standing>> = vec![None; spec.bodies.len()];
+    let mut taken: Vec<Footprint> = Vec::new();
+    let rests = |pose: &PoseSpec| matches!(pose, PoseSpec::Rest(_));
+    let mut order: Vec<usize> = (0..spec.bodies.len()).collect();
+    order.sort_by_key(|&body| rests(&spec.bodies[body].pose));
+    for body in order {
+        let BodySpec { catalog, uid, pose, .. } = &spec.bodies[body];
+        let mesh = &assets.solid(catalog, uid)?.mesh;
+        places[body] = match pose {
+            PoseSpec::At(at) => Some(at.stand(mesh)),
+            PoseSpec::Rest(rest) => rest.stand(mesh, &Around { ground, taken: &taken }, &mut stream(body)),
+        };
+        taken.extend(places[body].iter().map(|standing| standing.footprint.clone()));
+    }
+    Ok(places)
+}
+
+/// Catalog and uid; of a catalog given as a folder, the folder's own name.
+fn asset_name(body: &BodySpec) -> String {
+    let catalog = body.catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
+    format!("{catalog}/{}", body.uid)
+}
+
+#[derive(Default)]
+struct Builder {
+    scene: Scene,
+}
+
+impl Builder {
+    fn add(
+        &mut self,
+        mesh: Arc<Mesh>,
+        world_from_mesh: DAffine3,
+        body: u16,
+        surfaces: &[Surface],
+    ) -> Result<(), CatalogError> {
+        let materials = surfaces.iter().map(|surface| self.material(surface)).collect::<Result<_, _>>()?;
+        self.scene.instances.push(Instance { mesh, world_from_mesh, body, materials });
+        Ok(())
+    }
+
+    /// Number of a new body.
+    fn body(&mut self, label: &str, asset: String, mesh: &Mesh, world_from_mesh: &DAffine3) -> Result<u16, SceneError> {
+        let vertices: Vec<DVec3> = mesh.vertices().map(|v| world_from_mesh.transform_point3(v.as_dvec3())).collect();
+        let (low, high) = bounds(&vertices);
+        let (centre, radius) = (0.5 * (low + high), 0.5 * (high - low).length());
+        self.scene.bodies.push(Body { label: label.into(), asset, centre, radius });
+        let count = self.scene.bodies.len();
+        u16::try_from(count).map_err(|_| SceneError::TooManyBodies { count })
+    }
+
+    fn material(&mut self, surface: &Surface) -> Result<u16, CatalogError> {
+        let (name, lambert_db) = match surface {
+            Surface::Sediment(name) => (name, sediment(name)?.lambert_db),
+            Surface::Material(name) => (name, material(name)?.lambert_db),
+        };
+        let wanted = Material { name: name.clone(), lambert_mu: lambert_mu(lambert_db) };
+        let known = self.scene.materials.iter().position(|material| *material == wanted);
+        let number = known.unwrap_or_else(|| {
+            self.scene.materials.push(wanted);
+            self.scene.materials.len() - 1
+        });
+        // The tables have fewer entries than 16 bits can number.
+        Ok(number as u16)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,230 @@
+//! Seabeds: a height field of a kind, the grid it is sampled on, and the mesh of that grid.
+//!
+//! Knows nothing of objects. What stands on the bottom asks [`HeightGrid`], which answers with the very surface that
+//! the mesh shows, not with the smooth field behind it.
+
+mod flat;
+mod fractal;
+mod grid;
+mod noise;
+mod ripples;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::math::rng::Stream;
+
+pub use flat::Flat;
+pub use fractal::Fractal;
+pub use grid::HeightGrid;
+pub use ripples::Ripples;
+
+/// Most triangles of one seabed.
+const MAX_TRIANGLES: f64 = 8e6;
+
+/// A square of seabed centred at the world's origin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SeabedSpec {
+    /// What it is shaped like.
+    pub shape: Shape,
+    /// Name of a sediment.
+    pub sediment: String,
+    /// Side of the square, metres.
+    pub extent_m: f64,
+    /// Side of a cell of two triangles, metres.
+    pub cell_m: f64,
+}
+
+/// Kinds of seabed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shape {
+    /// A plane.
+    Flat(Flat),
+    /// Hills on hills: a power-law spectrum.
+    Fractal(Fractal),
+    /// Sand ripples with wandering crests.
+    Ripples(Ripples),
+}
+
+/// A seabed that cannot be built.
+#[derive(Debug, Error, PartialEq)]
+pub enum SeabedError {
+    /// A length that must be positive, or a share beyond its range.
+    #[error("seabed: {name} is {value}, which is not {range}")]
+    Range {
+        /// The parameter.
+        name: &'static str,
+        /// What it is.
+        value: f64,
+        /// What it may be.
+        range: &'static str,
+    },
+    /// More triangles than one seabed may have.
+    #[error(
+        "seabed: {extent_m} m in cells of {cell_m} m are {triangles:.1e} triangles, more than 8e6; \
+         take cells of {enough_m:.3} m or a smaller extent_m"
+    )]
+    TooFine {
+        /// Side of the square.
+        extent_m: f64,
+        /// Side of a cell.
+        cell_m: f64,
+        /// How many triangles that makes.
+        triangles: f64,
+        /// Cells that would do.
+        enough_m: f64,
+    },
+    /// A shape with waves that the cells cannot show.
+    #[error("seabed: {name} is {wave_m} m, which cells of {cell_m} m cannot show; take cell_m {enough_m:.3} or less")]
+    TooCoarse {
+        /// The parameter.
+        name: &'static str,
+        /// The wave.
+        wave_m: f64,
+        /// Side of a cell.
+        cell_m: f64,
+        /// Cells that would do.
+        enough_m: f64,
+    },
+}
+
+impl SeabedSpec {
+    /// Whether it can be built; [`SeabedSpec::build`] fails with the same errors.
+    ///
+    /// # Errors
+    /// See [`SeabedError`].
+    pub fn check(&self) -> Result<(), SeabedError> {
+        positive("extent_m", self.extent_m)?;
+        positive("cell_m", self.cell_m)?;
+        let triangles = 2.0 * (self.extent_m / self.cell_m) * (self.extent_m / self.cell_m);
+        if triangles > MAX_TRIANGLES {
+            let (extent_m, cell_m) = (self.extent_m, self.cell_m);
+            let enough_m = extent_m / (MAX_TRIANGLES / 2.0).sqrt();
+            return Err(SeabedError::TooFine { extent_m, cell_m, triangles, enough_m });
+        }
+        match &self.shape {
+            Shape::Flat(flat) => flat.check(),
+            Shape::Fractal(fractal) => fractal.check(self.cell_m),
+            Shape::Ripples(ripples) => ripples.check(self.cell_m),
+        }
+    }
+
+    /// Samples the shape: heights of mean 0. The same stream gives the same bits.
+    ///
+    /// # Errors
+    /// See [`SeabedError`].
+    pub fn build(&self, stream: &mut Stream) -> Result<HeightGrid, SeabedError> {
+        self.check()?;
+        let mut grid = HeightGrid::flat(self.extent_m, self.cell_m);
+        match &self.shape {
+            Shape::Flat(flat) => flat.raise(&mut grid),
+            Shape::Fractal(fractal) => fractal.raise(&mut grid, stream),
+            Shape::Ripples(ripples) => ripples.raise(&mut grid, stream),
+        }
+        grid.subtract_mean();
+        Ok(grid)
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), SeabedError> {
+    let fine = value.is_finite() && value > 0.0;
+    if fine { Ok(()) } else { Err(SeabedError::Range { name, value, range: "above 0" }) }
+}
+
+fn not_negative(name: &'static str, value: f64) -> Result<(), SeabedError> {
+    let fine = value.is_finite() && value >= 0.0;
+    if fine { Ok(()) } else { Err(SeabedError::Range { name, value, range: "0 or more" }) }
+}
+
+/// A wave needs `cells` cells to be seen.
+fn shown(name: &'static str, wave_m: f64, cell_m: f64, cells: f64) -> Result<(), SeabedError> {
+    let enough_m = wave_m / cells;
+    if cell_m > enough_m * (1.0 + 1e-9) {
+        return Err(SeabedError::TooCoarse { name, wave_m, cell_m, enough_m });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spec(shape: &str) -> SeabedSpec {
+        let text = format!("{{shape: {shape}, sediment: fine-sand, extent_m: 20, cell_m: 0.05}}");
+        read(&text).expect(shape)
+    }
+
+    /// As recipes are read: YAML to a tree, the tree to types.
+    fn read<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde_json::Error> {
+        serde_json::from_value(serde_yaml::from_str(text).expect("YAML"))
+    }
+
+    const FRACTAL: &str = "{fractal: {rms_m: 0.12, longest_m: 8, shortest_m: 0.2, hurst: 0.8}}";
+    const RIPPLES: &str =
+        "{ripples: {wavelength_m: 0.4, height_m: 0.05, direction_deg: 30, irregularity: 0.3, rms_m: 0.02}}";
+
+    fn build(shape: &str, seed: u64) -> HeightGrid {
+        spec(shape).build(&mut Stream::at(seed, "scene", 0, "seabed")).expect(shape)
+    }
+
+    fn moments(grid: &HeightGrid) -> (f64, f64) {
+        let n = grid.heights().len() as f64;
+        let mean = grid.heights().iter().map(|&h| f64::from(h)).sum::<f64>() / n;
+        let square = grid.heights().iter().map(|&h| (f64::from(h) - mean) * (f64::from(h) - mean)).sum::<f64>() / n;
+        (mean, square.sqrt())
+    }
+
+    #[test]
+    fn means_are_zero_and_heights_as_asked() {
+        let (mean, rms) = moments(&build("{flat: {}}", 1));
+        assert_eq!((mean, rms), (0.0, 0.0));
+        for seed in 0..4 {
+            let (mean, rms) = moments(&build(FRACTAL, seed));
+            assert!(mean.abs() < 1e-6 && (rms - 0.12).abs() < 1e-4, "{mean} {rms}");
+        }
+        let straight = RIPPLES.replace("irregularity: 0.3, rms_m: 0.02", "irregularity: 0, rms_m: 0");
+        let grid = build(&straight, 3);
+        let (low, high) = grid.heights().iter().fold((f32::MAX, f32::MIN), |(a, b), &h| (a.min(h), b.max(h)));
+        assert!(((high - low) - 0.05).abs() < 5e-4, "{low} {high}");
+        assert!(moments(&grid).0.abs() < 1e-6);
+    }
+
+    #[test]
+    fn one_seed_gives_one_seabed() {
+        for shape in [FRACTAL, RIPPLES] {
+            assert_eq!(build(shape, 5).heights(), build(shape, 5).heights());
+            assert_ne!(build(shape, 5).heights(), build(shape, 6).heights());
+        }
+    }
+
+    #[test]
+    fn ripples_run_across_their_direction() {
+        let along = |direction: &str| {
+            let grid = build(&RIPPLES.replace("direction_deg: 30", direction).replace("rms_m: 0.02", "rms_m: 0"), 2);
+            // Steps of half a wavelength along x turn crests into troughs if the ripples travel along x.
+            let pairs = (0..300).map(|k| -8.0 + 0.05 * f64::from(k));
+            pairs.map(|x| grid.height(x, 1.0) * grid.height(x + 0.2, 1.0)).sum::<f64>()
+        };
+        assert!(along("direction_deg: 0") < 0.0, "{}", along("direction_deg: 0"));
+        assert!(along("direction_deg: 90") > 0.0, "{}", along("direction_deg: 90"));
+    }
+
+    #[test]
+    fn what_cannot_be_built_is_refused_with_a_remedy() {
+        let with = |shape: &str, edit: &dyn Fn(&mut SeabedSpec)| {
+            let mut spec = spec(shape);
+            edit(&mut spec);
+            spec.check().expect_err(shape).to_string()
+        };
+        assert!(with("{flat: {}}", &|s| s.cell_m = 0.005).contains("take cells of 0.010 m"));
+        assert!(with("{flat: {}}", &|s| s.extent_m = -1.0).contains("extent_m is -1"));
+        assert!(with("{flat: {}}", &|s| s.cell_m = f64::NAN).contains("cell_m"));
+        assert!(with(RIPPLES, &|s| s.cell_m = 0.2).contains("wavelength_m is 0.4 m"));
+        assert!(with(FRACTAL, &|s| s.cell_m = 0.15).contains("shortest_m"));
+        let backwards = FRACTAL.replace("longest_m: 8", "longest_m: 0.1");
+        assert!(with(&backwards, &|_| ()).contains("longest_m"));
+        assert!(read::<Shape>("{flat: {rms_m: 1}}").is_err());
+    }
+}
