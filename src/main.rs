@@ -1,5 +1,5 @@
 //! Exit code only.
 
 fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+    ensonify::cli::main()
 }

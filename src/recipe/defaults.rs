@@ -1,6 +1,7 @@
 //! Defaults: what a recipe does not say. All of them stand in `templates/defaults.yaml`.
 //!
-//! Three sorts: values at a place; `lists`, the values of every item of a list; `kinds`, the parameters of a kind wherever
+//! Three sorts: values at a place; `sections`, the values of an optional section or of every item of a list, where the recipe
+//! has one; `kinds`, the parameters of a kind wherever
 //! that kind is written at its place. A place is a pattern such as `objects[].pose`.
 
 use std::sync::LazyLock;
@@ -26,8 +27,8 @@ pub(super) fn complete(recipe: &Node) -> Node {
 struct Defaults {
     /// Values at their places.
     values: Node,
-    /// By pattern: values of each item.
-    lists: Node,
+    /// By pattern: values of an optional section or of each item of a list.
+    sections: Node,
     /// By pattern and kind: parameters.
     kinds: Node,
 }
@@ -36,10 +37,10 @@ impl Defaults {
     fn of(tree: &Node) -> Self {
         let empty = Node { kind: Kind::Map(Vec::new()), span: tree.span.clone() };
         let section = |name| tree.get(name).unwrap_or(&empty).clone();
-        let is_value = |key: &str| !matches!(key, "lists" | "kinds");
+        let is_value = |key: &str| !matches!(key, "sections" | "kinds");
         let values = tree.entries().iter().filter(|(key, _)| is_value(&key.text)).cloned().collect();
         let values = Node { kind: Kind::Map(values), span: tree.span.clone() };
-        Self { values, lists: section("lists"), kinds: section("kinds") }
+        Self { values, sections: section("sections"), kinds: section("kinds") }
     }
 
     fn complete(&self, recipe: &Node) -> Node {
@@ -57,7 +58,7 @@ impl Defaults {
             let spread = if self.kinds.get(pattern).is_some() { spread_weights(node) } else { node.clone() };
             return map_choices(&spread, &|value| self.fill(value, pattern));
         }
-        let node = match self.lists.get(pattern) {
+        let node = match self.sections.get(pattern) {
             Some(under) => self.over(node, under, pattern),
             None => node.clone(),
         };
@@ -115,7 +116,7 @@ kinds:
   seabed.shape: {flat: {}, ripples: {height_m: 0.03, wavelength_m: {uniform: [0.1, 0.5]}}}
   trajectory: {hover: {yaw_deg: 0}, orbit: {radius_m: 4}}
   \"objects[].pose\": {rest: {burial: 0, tip_deg: 0}, hang: {height_m: 1}}
-lists:
+sections:
   \"objects[]\": {count: 1, pose: {rest: {}}}
 ";
 
@@ -168,7 +169,7 @@ lists:
     #[test]
     fn the_built_in_defaults_hold_together() {
         let defaults = Defaults::of(&parse("defaults", DEFAULTS, Origin::BuiltIn).unwrap());
-        for section in [&defaults.kinds, &defaults.lists] {
+        for section in [&defaults.kinds, &defaults.sections] {
             assert!(!section.entries().is_empty());
             for (pattern, values) in section.entries() {
                 assert!(path::steps(&pattern.text.replace("[]", "[0]")).is_ok(), "{}", pattern.text);

@@ -1,0 +1,45 @@
+//! `ensonify check`: everything that `run` would refuse, before anything is rendered.
+
+use std::collections::BTreeMap;
+
+use clap::Args;
+
+use super::{Code, RecipeArgs};
+use crate::run::World;
+
+/// Checks a recipe without rendering anything
+///
+/// Draws every scene and frame, opens every catalog and model that is picked and builds the first scene. What passes here
+/// is not refused by `run`.
+#[derive(Debug, Args)]
+pub struct Check {
+    #[command(flatten)]
+    recipe: RecipeArgs,
+}
+
+impl Check {
+    pub(super) fn run(&self) -> anyhow::Result<Code> {
+        let project = self.recipe.load()?;
+        let plan = &project.plan;
+        let world = World::build(plan, 0, &project.assets)?;
+        let mut labels: BTreeMap<&str, u64> = BTreeMap::new();
+        for body in plan.scenes.iter().flat_map(|scene| &scene.spec.bodies) {
+            *labels.entry(&body.label).or_default() += 1;
+        }
+        let mut splits: BTreeMap<&str, u64> = BTreeMap::new();
+        plan.jobs.iter().for_each(|job| *splits.entry(job.split).or_default() += 1);
+        let list = |counts: &BTreeMap<&str, u64>| {
+            counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
+        };
+        println!("{} is fine", self.recipe.recipe.display());
+        println!("  scenes    {}", plan.header.scenes);
+        println!("  frames    {} ({})", plan.jobs.len(), list(&splits));
+        println!("  objects   {}", if labels.is_empty() { "none".to_owned() } else { list(&labels) });
+        println!("  models    {}", plan.assets.len());
+        println!("  plan hash {}", project.plan_hash);
+        for dropped in &world.built().dropped {
+            eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
+        }
+        Ok(Code::Done)
+    }
+}

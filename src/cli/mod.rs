@@ -1,0 +1,90 @@
+//! The command line: one file a verb; each parses, calls the library and prints.
+//!
+//! Results go to standard output, messages to standard error.
+
+mod check;
+mod plan;
+mod preview;
+mod progress;
+mod run;
+mod status;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::plan::PlanError;
+use crate::run::Project;
+
+/// Exit codes, the same for every verb.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Code {
+    /// Done.
+    Done = 0,
+    /// Invalid recipe, catalog, folder or arguments; nothing was rendered.
+    Invalid = 2,
+    /// Some frames failed for good; the rest is there.
+    FramesFailed = 3,
+    /// Stopped before the end; the same command goes on.
+    Interrupted = 75,
+}
+
+/// Turns a YAML recipe into a labelled sonar dataset.
+#[derive(Debug, Parser)]
+#[command(
+    name = "ensonify",
+    version,
+    about,
+    long_about = "Turns a YAML recipe into a labelled sonar dataset: forward-looking sonar images with masks, boxes and COCO \
+                  annotations, byte for byte the same on every machine.",
+    after_help = "Begin with:\n  ensonify preview recipes/quickstart.yaml   a picture of what a recipe makes\n  \
+                  ensonify run recipes/quickstart.yaml       the dataset, in out/quickstart\n\n\
+                  Exit codes: 0 done, 2 invalid recipe, catalog or arguments, 3 some frames failed, 75 interrupted (run again to go on)."
+)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    Run(run::Run),
+    Check(check::Check),
+    Plan(plan::PlanVerb),
+    Preview(preview::Preview),
+    Status(status::StatusVerb),
+}
+
+/// A recipe on the command line.
+#[derive(Debug, Args)]
+struct RecipeArgs {
+    /// The recipe, a YAML file
+    recipe: PathBuf,
+    /// Changes a value of the recipe, such as --set frames=5 or --set water.temperature_c=4
+    #[arg(long, value_name = "PATH=VALUE")]
+    set: Vec<String>,
+}
+
+impl RecipeArgs {
+    fn load(&self) -> Result<Project, PlanError> {
+        Project::load(&self.recipe, &self.set)
+    }
+}
+
+/// Parses the arguments of this process and does what they say.
+#[must_use]
+pub fn main() -> ExitCode {
+    let outcome = match Cli::parse().verb {
+        Verb::Run(verb) => verb.run(),
+        Verb::Check(verb) => verb.run(),
+        Verb::Plan(verb) => verb.run(),
+        Verb::Preview(verb) => verb.run(),
+        Verb::Status(verb) => verb.run(),
+    };
+    let code = outcome.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        Code::Invalid
+    });
+    ExitCode::from(code as u8)
+}

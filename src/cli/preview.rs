@@ -1,0 +1,104 @@
+//! `ensonify preview`: a contact sheet of a few frames.
+
+use std::path::PathBuf;
+
+use anyhow::Context as _;
+use clap::Args;
+
+use super::{Code, RecipeArgs};
+use crate::label::View;
+use crate::plan::{Header, Plan, Raw};
+use crate::run::render::{Frame, Picture, Renderer};
+use crate::run::{Project, World};
+use crate::store::png;
+use crate::view::{GreyImage, SheetFrame, contact_sheet};
+
+/// Draws a contact sheet of a few frames of a recipe
+///
+/// Each row is one frame: the polar and the fan image, each without and with its masks and boxes. The frames are those
+/// that `run` would make, taken evenly from all of them.
+#[derive(Debug, Args)]
+pub struct Preview {
+    #[command(flatten)]
+    recipe: RecipeArgs,
+    /// The picture [default: out/NAME-preview.png]
+    #[arg(short, long, value_name = "PNG")]
+    output: Option<PathBuf>,
+    /// How many frames
+    #[arg(short = 'n', long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=60))]
+    frames: u32,
+}
+
+impl Preview {
+    pub(super) fn run(&self) -> anyhow::Result<Code> {
+        let project = self.recipe.load()?;
+        let plan = &project.plan;
+        let mut header = plan.header.clone();
+        header.output.views = vec![View::Polar, View::Fan];
+        header.output.raw = Raw::None;
+        let ids = spread(plan.jobs.len() as u64, u64::from(self.frames));
+        let rows = ids.iter().map(|&id| Row::render(&project, &header, id)).collect::<anyhow::Result<Vec<_>>>()?;
+        let frames: Vec<SheetFrame> = rows.iter().map(Row::on_sheet).collect();
+        let sheet = contact_sheet(&frames);
+
+        let path = self.output.clone().unwrap_or_else(|| PathBuf::from(format!("out/{}-preview.png", header.name)));
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+        }
+        std::fs::write(&path, png::rgb8(sheet.width(), sheet.height(), sheet.as_raw()))
+            .with_context(|| format!("cannot write {}; choose another file with -o", path.display()))?;
+        println!("{}", path.display());
+        Ok(Code::Done)
+    }
+}
+
+/// `wanted` of `total` ids, evenly spread, each once.
+fn spread(total: u64, wanted: u64) -> Vec<u64> {
+    let count = wanted.min(total);
+    (0..count).map(|i| (2 * i + 1) * total / (2 * count)).collect()
+}
+
+struct Row {
+    title: String,
+    frame: Frame,
+    names: Vec<String>,
+}
+
+impl Row {
+    fn render(project: &Project, header: &Header, id: u64) -> anyhow::Result<Self> {
+        let plan: &Plan = &project.plan;
+        let job = &plan.jobs[id as usize];
+        let world = World::build(plan, job.scene, &project.assets)?;
+        let frame = Renderer::default().render(header, job, &world);
+        let device = job.sonar.device.as_deref().unwrap_or("sonar");
+        let [near, far] = job.sonar.range_m;
+        let title =
+            format!("{id:06}  scene {}  frame {}  {}  {device} {near}-{far} m", job.scene, job.frame, job.split);
+        let names = world.scene().bodies.iter().map(|body| body.label.clone()).collect();
+        Ok(Self { title, frame, names })
+    }
+
+    fn on_sheet(&self) -> SheetFrame<'_> {
+        let view = |picture: &'_ Picture| {
+            let (width, height) = (picture.labels.width, picture.labels.height);
+            (width, height)
+        };
+        let [polar, fan] = &self.frame.pictures[..] else { unreachable!("both views were asked for") };
+        let image = |picture| {
+            let (width, height) = view(picture);
+            (GreyImage { width, height, pixels: &picture.grey }, &picture.labels)
+        };
+        SheetFrame { title: &self.title, polar: image(polar), fan: image(fan), names: &self.names }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn frames_are_taken_evenly_and_once() {
+        assert_eq!(spread(200, 4), [25, 75, 125, 175]);
+        assert_eq!(spread(3, 10), [0, 1, 2]);
+    }
+}

@@ -1,0 +1,118 @@
+//! Recipe → jobs: every leaf drawn, every choice made, before anything is rendered.
+//!
+//! Knows what is to be done, to the last number; does none of it.
+
+mod compile;
+mod error;
+mod header;
+mod sections;
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use sha2::{Digest as _, Sha256};
+
+pub use compile::compile;
+pub use error::PlanError;
+pub use header::{Header, Output, Raw, SplitBy, Splits};
+
+use crate::image::ImageModel;
+use crate::physics::Water;
+use crate::recipe::Draws;
+use crate::scene::SceneSpec;
+use crate::sonar::Sonar;
+use crate::vehicle::Trajectory;
+
+/// Every job of a dataset, with every drawn value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plan {
+    /// Version of the program: another version may draw or render other bytes.
+    pub ensonify: &'static str,
+    /// What holds for all jobs.
+    #[serde(flatten)]
+    pub header: Header,
+    /// Models that the scenes use, by `catalog/uid`.
+    pub assets: BTreeMap<String, AssetLock>,
+    /// The worlds.
+    pub scenes: Vec<ScenePlan>,
+    /// The frames, in order; a job's id is its index.
+    pub jobs: Vec<Job>,
+}
+
+/// A model file pinned by its content.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct AssetLock {
+    /// SHA-256 of the model's file.
+    pub sha256: String,
+    /// Name for people.
+    pub name: String,
+    /// Licence as the catalog states it.
+    pub licence: String,
+    /// Whom to name.
+    pub attribution: String,
+    /// Where it came from.
+    pub source: String,
+}
+
+/// One drawn world.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScenePlan {
+    /// Number of the scene.
+    pub index: u64,
+    /// Its split.
+    pub split: &'static str,
+    /// What to build.
+    pub spec: SceneSpec,
+    /// What was drawn for it, by path.
+    pub drawn: Draws,
+}
+
+/// One frame to render.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Job {
+    /// Number of the job, and of its files.
+    pub id: u64,
+    /// Number of its scene.
+    pub scene: u64,
+    /// Number of the frame in its scene.
+    pub frame: u64,
+    /// Split of its scene.
+    pub split: &'static str,
+    /// The sonar.
+    pub sonar: Sonar,
+    /// The water.
+    pub water: Water,
+    /// How echoes become a picture.
+    pub image: ImageModel,
+    /// Where the vehicle goes.
+    pub trajectory: Trajectory,
+    /// What was drawn for this frame, by path, its scene's draws not repeated.
+    pub drawn: Draws,
+}
+
+impl Plan {
+    /// The plan as JSON: what is written to `plan.json`, and what is hashed.
+    ///
+    /// # Panics
+    /// Never: every map in a plan has text keys and every number is finite.
+    #[must_use]
+    pub fn json(&self) -> Vec<u8> {
+        let mut text = serde_json::to_vec_pretty(self).expect("a plan is plain data");
+        text.push(b'\n');
+        text
+    }
+
+    /// SHA-256 of [`Plan::json`], in hexadecimal: two runs with one plan hash make the same dataset.
+    #[must_use]
+    pub fn hash(json: &[u8]) -> String {
+        Sha256::digest(json).iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// Labels in alphabetical order: the categories of the annotations.
+    #[must_use]
+    pub fn planned_labels(&self) -> Vec<String> {
+        let bodies = self.scenes.iter().flat_map(|scene| &scene.spec.bodies);
+        let labels: std::collections::BTreeSet<_> = bodies.map(|body| body.label.clone()).collect();
+        labels.into_iter().collect()
+    }
+}

@@ -1,0 +1,292 @@
+//! Sections of a recipe as types: drawn, completed and checked, every fault located in the recipe.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::header::{Header, Output, Splits};
+use crate::catalog::{Pick, sonars};
+use crate::image::ImageModel;
+use crate::label::LabelSettings;
+use crate::math::Impossible;
+use crate::physics::Water;
+use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
+use crate::scene::{EnvironmentSpec, PoseSpec, SeabedSpec};
+use crate::sonar::Sonar;
+use crate::vehicle::Trajectory;
+
+/// Top-level keys of a recipe.
+const KEYS: [&str; 15] = [
+    "ensonify",
+    "name",
+    "seed",
+    "scenes",
+    "frames",
+    "sonar",
+    "water",
+    "seabed",
+    "environment",
+    "objects",
+    "trajectory",
+    "image",
+    "labels",
+    "splits",
+    "output",
+];
+
+/// Most frames of one dataset.
+const MAX_JOBS: u64 = 10_000_000;
+
+/// An item of `objects`, one instance of it drawn.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObjectEntry {
+    /// Category in the annotations; the asset's own label without it.
+    pub label: Option<String>,
+    /// Which models may be taken.
+    pub pick: Pick,
+    /// How it lies.
+    pub pose: PoseSpec,
+}
+
+/// A recipe made ready for drawing.
+pub(super) struct Sections {
+    /// With defaults.
+    pub tree: Tree,
+    /// The user's sonar section alone: device files go between it and the defaults.
+    sonar: Node,
+    sonar_defaults: Node,
+    devices: std::cell::RefCell<BTreeMap<String, Node>>,
+    recipe_dir: std::path::PathBuf,
+}
+
+/// The sections that may differ from frame to frame.
+pub(super) struct FrameSections {
+    pub sonar: Sonar,
+    pub water: Water,
+    pub image: ImageModel,
+    pub trajectory: Trajectory,
+    pub drawn: Draws,
+}
+
+impl Sections {
+    /// Checks what can be checked without drawing: version, keys, the form of every distribution.
+    pub fn new(recipe: &Recipe, recipe_dir: &std::path::Path) -> Result<Self, recipe::Error> {
+        let tree = recipe.completed();
+        tree.version()?;
+        tree.node().allow_keys("", &KEYS)?;
+        for (section, level) in [
+            ("sonar", Level::Frame(0)),
+            ("water", Level::Frame(0)),
+            ("image", Level::Frame(0)),
+            ("trajectory", Level::Frame(0)),
+            ("seabed", Level::Scene),
+            ("environment", Level::Scene),
+        ] {
+            if let Some(node) = tree.at(section) {
+                node.check_distributions(section, level)?;
+            }
+        }
+        for (i, item) in tree.at("objects").map_or(&[][..], Node::items).iter().enumerate() {
+            item.check_distributions(&format!("objects[{i}]"), Level::Instance(0))?;
+        }
+        let Some(sonar) = recipe.node().get("sonar").cloned() else {
+            let help = "write `sonar: {device: oculus-m1200d-lf, range_m: [0.5, 10]}`";
+            return Err(tree.reject("", "the section `sonar` is missing", help));
+        };
+        if tree.at("seabed").is_none() && tree.at("environment").is_none() {
+            let help = "write `seabed: {shape: flat, sediment: fine-sand}` or `environment: {glb: scene.glb, labels: by-node}`";
+            return Err(tree.reject("", "a scene needs a section `seabed` or `environment`", help));
+        }
+        if tree.at("trajectory").is_none() {
+            let help = "write for example `trajectory: {orbit: {radius_m: 5, altitude_m: 2}}`";
+            return Err(tree.reject("", "the section `trajectory` is missing", help));
+        }
+        let defaults = recipe::parse("defaults", DEFAULTS, Origin::BuiltIn)?;
+        let sonar_defaults = defaults.get("sonar").cloned().unwrap_or_else(|| sonar.clone());
+        let recipe_dir = recipe_dir.to_owned();
+        Ok(Self { tree, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
+    }
+
+    /// What holds for the whole dataset; `stem` names it where the recipe does not.
+    pub fn header(&self, stem: &str) -> Result<Header, recipe::Error> {
+        let name: Option<String> = self.tree.section("name")?;
+        let header = Header {
+            name: name.unwrap_or_else(|| stem.to_owned()),
+            seed: self.required("seed")?,
+            scenes: self.required("scenes")?,
+            frames: self.required("frames")?,
+            labels: self.required::<LabelSettings>("labels")?,
+            splits: self.required::<Splits>("splits")?,
+            output: self.required::<Output>("output")?,
+        };
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
+        if header.name.is_empty() || !header.name.chars().all(plain) || header.name.starts_with('.') {
+            let help = "use letters, digits, `-`, `_` and `.`: it names the folder of the dataset";
+            return Err(self.tree.reject("name", &format!("`{}` cannot name a dataset", header.name), help));
+        }
+        for (key, count) in [("scenes", header.scenes), ("frames", header.frames)] {
+            if count == 0 {
+                return Err(self.tree.reject(key, "there must be at least 1", "write a whole number from 1"));
+            }
+        }
+        if header.scenes.checked_mul(header.frames).is_none_or(|jobs| jobs > MAX_JOBS) {
+            let message = format!("scenes x frames is more than {MAX_JOBS}");
+            return Err(self.tree.reject("scenes", &message, "make several datasets"));
+        }
+        if !header.splits.possible() {
+            let help = "shares are 0 or more, and one of them is positive";
+            return Err(self.tree.reject("splits", "these shares cannot be dealt out", help));
+        }
+        if !(0.0..=1.0).contains(&header.labels.min_share) {
+            let message = format!("{} is not a share", header.labels.min_share);
+            return Err(self.tree.reject("labels.min_share", &message, "write a number from 0 to 1"));
+        }
+        if header.output.views.is_empty() {
+            let help = "write `views: [polar]`, `[fan]` or `[polar, fan]`";
+            return Err(self.tree.reject("output.views", "there is nothing to write", help));
+        }
+        if !(16..=8192).contains(&header.output.fan_height_px) {
+            let message = format!("a fan {} pixels high cannot be drawn", header.output.fan_height_px);
+            return Err(self.tree.reject("output.fan_height_px", &message, "write a whole number from 16 to 8192"));
+        }
+        Ok(header)
+    }
+
+    fn required<T: serde::de::DeserializeOwned>(&self, key: &str) -> Result<T, recipe::Error> {
+        let help = format!("write `{key}: …`");
+        self.tree.section(key)?.ok_or_else(|| self.tree.reject("", &format!("the key `{key}` is missing"), &help))
+    }
+
+    /// The seabed and the environment of a scene.
+    pub fn world(
+        &self,
+        address: &Address,
+        drawn: &mut Draws,
+    ) -> Result<(Option<SeabedSpec>, Option<EnvironmentSpec>), recipe::Error> {
+        Ok((self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?))
+    }
+
+    /// The sections of one frame.
+    pub fn frame(&self, address: &Address) -> Result<FrameSections, recipe::Error> {
+        let mut drawn = Draws::new();
+        let sonar = self.sonar(address, &mut drawn)?;
+        let water: Water = self.present("water", address, &mut drawn)?;
+        water.validate().map_err(|fault| self.impossible("water", &fault))?;
+        let image: ImageModel = self.present("image", address, &mut drawn)?;
+        image.validate().map_err(|fault| self.impossible("image", &fault))?;
+        let trajectory: Trajectory = self.present("trajectory", address, &mut drawn)?;
+        trajectory.check().map_err(|fault| {
+            let kind = self.tree.at("trajectory").and_then(|node| node.entries().first()).map(|(key, _)| &*key.text);
+            let path = format!("trajectory.{}.{}", kind.unwrap_or_default(), fault.name);
+            let message = format!("{} is not {}", fault.value, fault.range);
+            self.tree.reject(&path, &message, &format!("write a number that is {}", fault.range))
+        })?;
+        Ok(FrameSections { sonar, water, image, trajectory, drawn })
+    }
+
+    /// The sonar: the user's keys over the device's over the defaults.
+    fn sonar(&self, address: &Address, drawn: &mut Draws) -> Result<Sonar, recipe::Error> {
+        let (user, draws) = self.sonar.draw_recorded("sonar", address)?;
+        drawn.extend(draws);
+        let under = match user.get("device") {
+            Some(device) => self.device(device)?.merged_over(&self.sonar_defaults),
+            None => self.sonar_defaults.clone(),
+        };
+        let sonar: Sonar = user.merged_over(&under).to("sonar")?;
+        sonar.validate().map_err(|fault| self.impossible("sonar", &fault))?;
+        Ok(sonar)
+    }
+
+    /// A figure that cannot be, at its place in the recipe.
+    fn impossible(&self, section: &str, fault: &Impossible) -> recipe::Error {
+        self.tree.reject(&format!("{section}.{}", fault.key), &fault.problem, &fault.remedy)
+    }
+
+    /// A device file: built in, or a YAML file named relative to the recipe.
+    fn device(&self, node: &Node) -> Result<Node, recipe::Error> {
+        let Some(name) = node.text() else {
+            return Err(node.error("", "a device is named by a word", "write for example `device: oculus-m1200d-lf`"));
+        };
+        if let Some(known) = self.devices.borrow().get(name) {
+            return Ok(known.clone());
+        }
+        let tree = if let Some(text) = sonars::find(name) {
+            recipe::parse(&format!("catalogs/sonars/{name}.yaml"), text, Origin::BuiltIn)?
+        } else if name.ends_with(".yaml") || name.ends_with(".yml") {
+            recipe::read(&self.recipe_dir.join(name))?
+        } else {
+            let names: Vec<&str> = sonars::DEVICES.iter().map(|(name, _)| *name).collect();
+            let help = recipe::did_you_mean(name, &names);
+            return Err(self.tree.reject("sonar.device", &format!("there is no device `{name}`"), &help));
+        };
+        self.devices.borrow_mut().insert(name.to_owned(), tree.clone());
+        Ok(tree)
+    }
+
+    /// How many instances an item of `objects` has in a scene.
+    pub fn count(&self, item: usize, address: &Address, drawn: &mut Draws) -> Result<u32, recipe::Error> {
+        let path = format!("objects[{item}].count");
+        let count: u32 = self.present(&path, address, drawn)?;
+        if count > 1000 {
+            return Err(self.tree.reject(&path, &format!("{count} of one object are too many"), "write at most 1000"));
+        }
+        Ok(count)
+    }
+
+    /// One instance of an item of `objects`.
+    pub fn object(&self, item: usize, address: &Address, drawn: &mut Draws) -> Result<ObjectEntry, recipe::Error> {
+        let path = format!("objects[{item}]");
+        let Some(node) = self.tree.at(&path) else {
+            return Err(self.tree.reject("objects", &format!("there is no item {item}"), ""));
+        };
+        let (node, draws) = without(node, "count").draw_recorded(&path, address)?;
+        let Level::Instance(instance) = address.level else { unreachable!("objects are drawn by instance") };
+        let named = |(leaf, value): (String, _)| {
+            (format!("{path}#{instance}{}", leaf.strip_prefix(&path).unwrap_or_default()), value)
+        };
+        drawn.extend(draws.into_iter().map(named));
+        node.to(&path)
+    }
+
+    /// How many items `objects` has.
+    pub fn object_items(&self) -> Result<usize, recipe::Error> {
+        let Some(node) = self.tree.at("objects") else { return Ok(0) };
+        match node.kind {
+            recipe::Kind::Seq(ref items) => Ok(items.len()),
+            recipe::Kind::Null => Ok(0),
+            _ => Err(self.tree.reject("objects", "`objects` is a list", "begin each object with `- pick: …`")),
+        }
+    }
+
+    fn drawn<T: serde::de::DeserializeOwned>(
+        &self,
+        path: &str,
+        address: &Address,
+        drawn: &mut Draws,
+    ) -> Result<Option<T>, recipe::Error> {
+        let Some(node) = self.tree.at(path) else { return Ok(None) };
+        let (node, draws) = node.draw_recorded(path, address)?;
+        drawn.extend(draws);
+        node.to(path).map(Some)
+    }
+
+    fn present<T: serde::de::DeserializeOwned>(
+        &self,
+        path: &str,
+        address: &Address,
+        drawn: &mut Draws,
+    ) -> Result<T, recipe::Error> {
+        let message = format!("`{path}` is missing");
+        self.drawn(path, address, drawn)?.ok_or_else(|| self.tree.reject("", &message, ""))
+    }
+}
+
+/// A map without one of its keys.
+fn without(node: &Node, key: &str) -> Node {
+    let entries = node.entries().iter().filter(|(name, _)| name.text != key).cloned();
+    match node.kind {
+        recipe::Kind::Map(_) => Node { kind: recipe::Kind::Map(entries.collect()), span: node.span.clone() },
+        _ => node.clone(),
+    }
+}

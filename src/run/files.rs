@@ -1,0 +1,97 @@
+//! A rendered frame as files and a record; a project as the words of its dataset card.
+
+use std::collections::BTreeMap;
+
+use super::Project;
+use super::render::{Frame, pose_numbers};
+use super::world::World;
+use crate::export::{Attribution, FinishInput};
+use crate::plan::{Job, Plan, Splits};
+use crate::store::{FrameRecord, NewFile, ViewRecord, exr, layout, png};
+
+/// The record of a frame and the files that it brings.
+pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (FrameRecord, Vec<NewFile>) {
+    let name = layout::frame_name(job.id);
+    let mut files = Vec::new();
+    let mut views = BTreeMap::new();
+    for picture in frame.pictures {
+        let (width, height) = (picture.labels.width, picture.labels.height);
+        let image = png::grey8(width, height, &picture.grey);
+        let mask = png::grey16(width, height, &picture.labels.mask);
+        files.push(NewFile { path: layout::image(picture.view, &name), bytes: image });
+        files.push(NewFile { path: layout::mask(picture.view, &name), bytes: mask });
+        views.insert(picture.view, ViewRecord::new(&picture.labels, &world.scene().bodies));
+    }
+    if let Some(raw) = frame.raw {
+        files.push(NewFile { path: layout::raw(&name), bytes: exr::encode(raw) });
+    }
+    let mut values = plan.scenes[job.scene as usize].drawn.clone();
+    values.extend(job.drawn.clone());
+    let record = FrameRecord {
+        id: job.id,
+        name,
+        scene: job.scene,
+        frame: job.frame,
+        split: job.split.to_owned(),
+        pose: pose_numbers(&frame.world_from_sonar),
+        values,
+        views,
+        files: Vec::new(),
+    };
+    (record, files)
+}
+
+/// What annotations, card and attributions say beside the frames.
+pub(super) fn finish_input(project: &Project) -> FinishInput {
+    let plan = &project.plan;
+    let attribution = |(key, lock): (&String, &crate::plan::AssetLock)| Attribution {
+        uid: key.clone(),
+        name: lock.name.clone(),
+        attribution: lock.attribution.clone(),
+        licence: lock.licence.clone(),
+        source: lock.source.clone(),
+    };
+    FinishInput {
+        description: format!("Synthetic forward-looking sonar: {}", plan.header.name),
+        seed: plan.header.seed,
+        views: plan.header.output.views.clone(),
+        splits: Splits::NAMES.map(str::to_owned).to_vec(),
+        categories: categories(project),
+        facts: facts(plan),
+        attributions: plan.assets.iter().map(attribution).collect(),
+    }
+}
+
+/// Labels of the objects, and of the environments' parts.
+fn categories(project: &Project) -> Vec<String> {
+    let mut labels: std::collections::BTreeSet<String> = project.plan.planned_labels().into_iter().collect();
+    for spec in project.plan.scenes.iter().filter_map(|scene| scene.spec.environment.as_ref()) {
+        // It was loaded when the recipe was compiled, so this only looks it up.
+        if let Ok(environment) = project.assets.environment(spec) {
+            labels.extend(environment.things.iter().filter_map(|thing| thing.label.clone()));
+        }
+    }
+    labels.into_iter().collect()
+}
+
+/// Rows about the sonars and ranges of a plan.
+fn facts(plan: &Plan) -> Vec<(String, String)> {
+    let mut sonars: Vec<String> = Vec::new();
+    for job in &plan.jobs {
+        let sonar = &job.sonar;
+        let [near, far] = sonar.range_m;
+        let name = sonar.device.as_deref().unwrap_or("written out in the recipe");
+        let text = format!(
+            "{name}: {} kHz, {} beams over {}°, {} bins over {near}–{far} m",
+            sonar.frequency_khz, sonar.beams, sonar.azimuth_deg, sonar.range_bins
+        );
+        if !sonars.contains(&text) {
+            sonars.push(text);
+        }
+        if sonars.len() > 8 {
+            sonars.push("…".to_owned());
+            break;
+        }
+    }
+    vec![("Sonar".to_owned(), sonars.join("; ")), ("Scenes".to_owned(), plan.header.scenes.to_string())]
+}

@@ -1,0 +1,186 @@
+//! The job loop: frames rendered on every thread, written as they come, finished when all are there.
+//!
+//! Knows order, threads, progress and how to stop; how a frame is made is [`render`]'s, how it is kept the store's.
+
+mod files;
+mod project;
+pub mod render;
+mod world;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+pub use project::Project;
+pub use world::{World, Worlds};
+
+use crate::export::{FinishError, finish};
+use crate::store::{Store, StoreError, Summary};
+use render::Renderer;
+
+/// How a run goes about its jobs.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Threads that render.
+    pub threads: usize,
+    /// Render at most so many frames now.
+    pub limit: Option<u64>,
+}
+
+/// What a run tells while it goes.
+pub trait Watch: Sync {
+    /// `total` frames are in the plan, `there` of them from an earlier start, `now` are to be rendered.
+    fn begin(&self, total: u64, there: u64, now: u64);
+    /// One more frame is written.
+    fn frame_done(&self);
+    /// Something that a person should know.
+    fn note(&self, message: &str);
+}
+
+/// How a run ended.
+#[derive(Clone, Debug)]
+pub enum Ended {
+    /// Every frame is there and the dataset is finished.
+    Complete(Summary),
+    /// It stopped at its limit; so many frames are still missing.
+    Limited(u64),
+    /// It was asked to stop; so many frames are still missing.
+    Interrupted(u64),
+    /// Some frames cannot be rendered, each with the reason. The rest is there.
+    Failed(Vec<(u64, String)>),
+}
+
+/// A run that could not go on.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The folder cannot be used or written.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// The dataset cannot be finished.
+    #[error(transparent)]
+    Finish(#[from] FinishError),
+    /// The threads cannot be started.
+    #[error("cannot start {threads} threads: {reason}; use a smaller --jobs")]
+    Threads {
+        /// How many were asked for.
+        threads: usize,
+        /// The system's reason.
+        reason: String,
+    },
+}
+
+/// Renders what is missing of a project into its store and, when nothing is, finishes the dataset.
+///
+/// # Errors
+/// [`RunError`] if the store cannot be written; the frames that are there stay.
+pub fn run(
+    project: &Project,
+    store: &Store,
+    options: Options,
+    watch: &dyn Watch,
+    stop: &AtomicBool,
+) -> Result<Ended, RunError> {
+    let plan = &project.plan;
+    let missing = store.missing();
+    let total = plan.jobs.len() as u64;
+    let now = options.limit.map_or(missing.len(), |limit| missing.len().min(limit as usize));
+    watch.begin(total, total - missing.len() as u64, now as u64);
+
+    let shift = Shift {
+        project,
+        store,
+        watch,
+        stop,
+        jobs: &missing[..now],
+        worlds: Worlds::new(plan, &project.assets, &missing[..now]),
+        next: AtomicUsize::new(0),
+        failed: Mutex::default(),
+        broken: Mutex::default(),
+    };
+    let threads = options.threads.clamp(1, now.max(1));
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| RunError::Threads { threads, reason: error.to_string() })?;
+    pool.broadcast(|_| shift.work());
+
+    if let Some(error) = shift.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(error.into());
+    }
+    let mut failed = shift.failed.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if !failed.is_empty() {
+        failed.sort();
+        return Ok(Ended::Failed(failed));
+    }
+    match store.missing().len() as u64 {
+        0 => Ok(Ended::Complete(finish(store, &files::finish_input(project))?)),
+        left if stop.load(Ordering::Relaxed) => Ok(Ended::Interrupted(left)),
+        left => Ok(Ended::Limited(left)),
+    }
+}
+
+/// What the threads of a run share.
+struct Shift<'a> {
+    project: &'a Project,
+    store: &'a Store,
+    watch: &'a dyn Watch,
+    stop: &'a AtomicBool,
+    /// Ids to render; threads take them in order, so scenes are finished one after the other.
+    jobs: &'a [u64],
+    worlds: Worlds<'a>,
+    next: AtomicUsize,
+    failed: Mutex<Vec<(u64, String)>>,
+    broken: Mutex<Option<StoreError>>,
+}
+
+impl Shift<'_> {
+    fn work(&self) {
+        let mut renderer = Renderer::default();
+        while !self.stop.load(Ordering::Relaxed) && !self.is_broken() {
+            let Some(&id) = self.jobs.get(self.next.fetch_add(1, Ordering::Relaxed)) else { return };
+            // A panic is a bug, but of one frame: the others must not be lost with it.
+            let outcome = catch_unwind(AssertUnwindSafe(|| self.frame(&mut renderer, id)));
+            match outcome {
+                Ok(Ok(())) => self.watch.frame_done(),
+                Ok(Err(FrameFault::Frame(reason))) => self.fail(id, reason),
+                Ok(Err(FrameFault::Store(error))) => {
+                    self.broken.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                }
+                Err(_) => {
+                    renderer = Renderer::default();
+                    self.fail(id, "it made the program panic, which is a bug: please report it".into());
+                }
+            }
+            self.worlds.done(self.project.plan.jobs[id as usize].scene);
+        }
+    }
+
+    fn frame(&self, renderer: &mut Renderer, id: u64) -> Result<(), FrameFault> {
+        let plan = &self.project.plan;
+        let job = &plan.jobs[id as usize];
+        let world = self.worlds.get(job.scene).map_err(FrameFault::Frame)?;
+        if job.frame == 0 {
+            for dropped in &world.built().dropped {
+                let what = format!("scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
+                self.watch.note(&what);
+            }
+        }
+        let frame = renderer.render(&plan.header, job, &world);
+        let (record, new_files) = files::of_frame(plan, job, &world, frame);
+        self.store.commit(record, &new_files).map_err(FrameFault::Store)
+    }
+
+    fn fail(&self, id: u64, reason: String) {
+        self.watch.note(&format!("frame {id} failed: {reason}"));
+        self.failed.lock().unwrap_or_else(PoisonError::into_inner).push((id, reason));
+    }
+
+    fn is_broken(&self) -> bool {
+        self.broken.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+    }
+}
+
+enum FrameFault {
+    Frame(String),
+    Store(StoreError),
+}

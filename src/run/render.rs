@@ -1,0 +1,128 @@
+//! One job, from pose to pictures and labels: one frame is one thread's work.
+
+use crate::image::{self, Channel};
+use crate::label::{View, ViewLabels, label_fan, label_polar};
+use crate::math::Pose;
+use crate::math::real::{asin, atan2, degrees};
+use crate::math::rng::Stream;
+use crate::plan::{Header, Job, Raw};
+use crate::sonar::{Echoes, FanMap, Grid, Keep, Tracer};
+use crate::store::exr::RawImage;
+
+use super::world::World;
+
+/// A rendered frame.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Where the sonar was.
+    pub world_from_sonar: Pose,
+    /// The views asked for, in their order.
+    pub pictures: Vec<Picture>,
+    /// Linear values, where asked for.
+    pub raw: Option<RawImage>,
+}
+
+/// A view of a frame: grey pixels from the noisy image, labels from the noise-free echoes.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Which view.
+    pub view: View,
+    /// Grey, row by row; as large as the labels' mask.
+    pub grey: Vec<u8>,
+    /// Masks and boxes.
+    pub labels: ViewLabels,
+}
+
+/// A thread's tools: tables and buffers that serve frame after frame, made anew only when the sonar changes.
+#[derive(Debug, Default)]
+pub struct Renderer {
+    tracer: Option<Tracer>,
+    fan: Option<(Grid, FanMap)>,
+}
+
+impl Renderer {
+    /// Renders a job in its world.
+    pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Frame {
+        let world_from_sonar = world.sonar_pose(header, job);
+        let keep = match header.output.raw {
+            Raw::None => Keep::Energy,
+            Raw::Exr => Keep::Detail,
+        };
+        let echoes = self.tracer(job).trace(world.scene(), &world_from_sonar, keep);
+        let channel = Channel::new(&job.sonar, &job.water);
+        let mut stream = Stream::at(header.seed, "frame", job.id, "image");
+        let grey = image::form(&echoes, &job.image, &channel, &mut stream);
+        let view = |&view: &View| match view {
+            View::Polar => {
+                Picture { view, grey: echoes.grid.to_polar_image(&grey), labels: label_polar(&echoes, &header.labels) }
+            }
+            View::Fan => {
+                let fan = self.fan.get_or_insert_with(|| fan(&echoes.grid, header));
+                if fan.0 != echoes.grid {
+                    *fan = self::fan(&echoes.grid, header);
+                }
+                Picture { view, grey: fan.1.picture(&grey), labels: label_fan(&echoes, &fan.1, &header.labels) }
+            }
+        };
+        let pictures: Vec<Picture> = header.output.views.iter().map(view).collect();
+        let raw = echoes.detail.is_some().then(|| raw(&echoes, header));
+        Frame { world_from_sonar, pictures, raw }
+    }
+
+    fn tracer(&mut self, job: &Job) -> &mut Tracer {
+        if self.tracer.as_ref().is_none_or(|tracer| *tracer.sonar() != job.sonar) {
+            self.tracer = None;
+        }
+        self.tracer.get_or_insert_with(|| Tracer::new(&job.sonar))
+    }
+}
+
+fn fan(grid: &Grid, header: &Header) -> (Grid, FanMap) {
+    (*grid, FanMap::new(grid, header.output.fan_height_px))
+}
+
+/// The linear image, in the orientation of the polar view.
+fn raw(echoes: &Echoes, header: &Header) -> RawImage {
+    let grid = &echoes.grid;
+    let detail = echoes.detail.as_ref();
+    let plane = |values: Option<&Vec<f32>>| values.map_or_else(Vec::new, |values| grid.to_polar_image(values));
+    let wide = |values: &[u16]| values.iter().map(|&value| u32::from(value)).collect();
+    RawImage {
+        width: grid.beams,
+        height: grid.bins,
+        intensity: grid.to_polar_image(&echoes.energy),
+        elevation: plane(detail.map(|detail| &detail.elevation_rad)),
+        incidence: plane(detail.map(|detail| &detail.incidence_rad)),
+        instance: wide(&label_polar(echoes, &header.labels).mask),
+        material: detail.map_or_else(Vec::new, |detail| wide(&grid.to_polar_image(&detail.material))),
+    }
+}
+
+/// A pose as the record has it: x, y, z in metres, then yaw, pitch, roll in degrees (see [`Pose::from_angles`]).
+#[must_use]
+pub fn pose_numbers(pose: &Pose) -> [f64; 6] {
+    let (ahead, port, up) = (pose.rotation.x_axis, pose.rotation.y_axis, pose.rotation.z_axis);
+    let yaw = atan2(ahead.y, ahead.x);
+    let pitch = asin(ahead.z.clamp(-1.0, 1.0));
+    let roll = atan2(port.z, up.z);
+    let [x, y, z] = pose.position.to_array();
+    [x, y, z, degrees(yaw), degrees(pitch), degrees(roll)]
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::math::real::radians;
+
+    #[test]
+    fn a_pose_comes_back_from_its_numbers() {
+        let given = [1.0, -2.0, 3.0, 140.0, -15.0, 4.0];
+        let position = DVec3::new(given[0], given[1], given[2]);
+        let pose = Pose::from_angles(position, radians(given[3]), radians(given[4]), radians(given[5]));
+        for (a, b) in pose_numbers(&pose).into_iter().zip(given) {
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! A built scene with what trajectories ask of it, kept for as long as frames of it are to come.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use glam::DVec3;
+
+use crate::math::Pose;
+use crate::math::rng::Stream;
+use crate::plan::{Header, Job, Plan};
+use crate::scene::bvh::Bvh;
+use crate::scene::{AssetCache, Built, Scene, SceneError, build};
+use crate::vehicle::{FrameOfRun, Surroundings, Target};
+
+/// A scene ready to be looked at.
+pub struct World {
+    built: Built,
+    targets: Vec<Target>,
+    /// Built on the first question about a line of sight.
+    sight: OnceLock<Bvh>,
+}
+
+impl World {
+    /// Builds a scene of a plan.
+    ///
+    /// # Errors
+    /// See [`SceneError`].
+    pub fn build(plan: &Plan, scene: u64, assets: &AssetCache) -> Result<Self, SceneError> {
+        let spec = &plan.scenes[scene as usize].spec;
+        let built = build(spec, assets, plan.header.seed, scene)?;
+        let bodies = &built.scene.bodies;
+        let targets = bodies.iter().map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
+        Ok(Self { built, targets, sight: OnceLock::new() })
+    }
+
+    /// The geometry.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.built.scene
+    }
+
+    /// The scene with what could not be placed.
+    #[must_use]
+    pub fn built(&self) -> &Built {
+        &self.built
+    }
+
+    /// world_from_sonar of a job.
+    #[must_use]
+    pub fn sonar_pose(&self, header: &Header, job: &Job) -> Pose {
+        let mount = job.sonar.mount.pose();
+        let around = Surroundings {
+            ground: &|x, y| self.built.ground.height(x, y),
+            targets: &self.targets,
+            clear: &|from: DVec3, to: DVec3| {
+                self.sight.get_or_init(|| Bvh::of_scene(&self.built.scene)).is_clear(from, to)
+            },
+            mount: &mount,
+        };
+        let frame = FrameOfRun { index: job.frame, count: header.frames };
+        let mut stream = Stream::at(header.seed, "frame", job.id, "trajectory");
+        job.trajectory.pose(frame, &around, &mut stream).then_inner(&mount)
+    }
+}
+
+/// Worlds by scene: built once, by whoever comes first, and let go after the last frame.
+pub struct Worlds<'a> {
+    plan: &'a Plan,
+    assets: &'a AssetCache,
+    held: Mutex<BTreeMap<u64, Held>>,
+}
+
+type Slot = Arc<OnceLock<Result<Arc<World>, String>>>;
+
+struct Held {
+    slot: Slot,
+    frames_left: u64,
+}
+
+impl<'a> Worlds<'a> {
+    /// Worlds for these jobs of a plan.
+    #[must_use]
+    pub fn new(plan: &'a Plan, assets: &'a AssetCache, jobs: &[u64]) -> Self {
+        let mut held: BTreeMap<u64, Held> = BTreeMap::new();
+        for &id in jobs {
+            let scene = plan.jobs[id as usize].scene;
+            held.entry(scene).or_insert_with(|| Held { slot: Slot::default(), frames_left: 0 }).frames_left += 1;
+        }
+        Self { plan, assets, held: Mutex::new(held) }
+    }
+
+    /// The world of a scene; waits where another thread is building it.
+    ///
+    /// # Errors
+    /// Why the scene could not be built.
+    pub fn get(&self, scene: u64) -> Result<Arc<World>, String> {
+        let slot = {
+            let held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
+            held.get(&scene).map(|held| held.slot.clone()).unwrap_or_default()
+        };
+        let build = || World::build(self.plan, scene, self.assets).map(Arc::new).map_err(|error| error.to_string());
+        slot.get_or_init(build).clone()
+    }
+
+    /// Says that a frame of a scene is done; after the last one its world is let go.
+    pub fn done(&self, scene: u64) {
+        let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(entry) = held.get_mut(&scene) {
+            entry.frames_left = entry.frames_left.saturating_sub(1);
+            if entry.frames_left == 0 {
+                held.remove(&scene);
+            }
+        }
+    }
+}
