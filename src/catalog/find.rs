@@ -51,7 +51,7 @@ mod tests {
         }
         assert_eq!(find_catalog("mine", &recipes).expect("found"), recipes.join("mine"));
         assert_eq!(find_catalog("other", &recipes).expect("found"), root.path().join("catalogs/other"));
-        assert_eq!(find_catalog("../../catalogs/other", &recipes).expect("found").join(INDEX).exists(), true);
+        assert!(find_catalog("../../catalogs/other", &recipes).expect("found").join(INDEX).exists());
         let error = find_catalog("none", &recipes).expect_err("not there").to_string();
         assert!(error.contains("`none`") && error.contains("deep/recipes/catalogs/none"), "{error}");
     }

@@ -8,10 +8,12 @@ pub mod glb;
 pub mod index;
 pub mod materials;
 pub mod model;
+pub mod pick;
 pub mod sonars;
 
 pub use error::{CatalogError, ModelFault};
 pub use find::find_catalog;
 pub use glb::load_model;
-pub use index::{Asset, Catalog, OneOrMany, Pick, Up};
+pub use index::{Asset, Catalog, Up};
 pub use model::{Model, Part};
+pub use pick::{OneOrMany, Pick};

@@ -14,7 +14,7 @@ const MAX_ELEMENTS: u64 = 60_000_000;
 impl File {
     /// Elements of `N` components as floats, integers normalised where the accessor says so.
     pub fn floats<const N: usize>(&self, accessor: usize) -> Result<Vec<[f32; N]>, ModelFault> {
-        self.elements(accessor, |_| true, |bytes, kind, normalized| float(bytes, kind, normalized))
+        self.elements(accessor, |_| true, float)
     }
 
     /// Elements of `N` unsigned integers.

@@ -248,3 +248,18 @@ fn the_shared_odd_and_broken_files() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+#[test]
+fn a_skinned_model_has_one_shape_in_every_encoding() {
+    let (Some(models), Some(torture)) = (shared("models"), shared("gltf-torture")) else { return };
+    let shape = |path: PathBuf| {
+        let (low, high) = load_model(&path).expect("a sound file").bounds().expect("triangles");
+        (high - low) / (high - low).max_element()
+    };
+    let plain = shape(models.join("q_shark.glb"));
+    println!("shark: {plain}");
+    for name in ["shark_sparse.glb", "shark_skinned_quantized.glb"] {
+        let other = shape(torture.join("generated").join(name));
+        assert!((plain - other).length() < 2e-3, "{name}: {plain} {other}");
+    }
+}

@@ -215,3 +215,38 @@ fn shared_models_rest_on_ripples() {
         assert!(lowest_clearance(&built, instance).abs() < 1e-3);
     }
 }
+
+#[test]
+fn views_of_a_built_scene_see_their_target_first() {
+    use crate::math::Pose;
+    use crate::scene::Bvh;
+    use crate::vehicle::{FrameOfRun, Surroundings, Target, Trajectory};
+
+    let folder = folder();
+    let mut spec = crowd(8, 2.5, 0.0);
+    // Crates only: their middles are solid.
+    spec.bodies.retain(|body| body.uid == "crate");
+    let built = build(&spec, &AssetCache::new(folder.path()), 11, 0).expect("a scene");
+    let bvh = Bvh::of_scene(&built.scene);
+    let bodies = built.scene.bodies.iter();
+    let targets: Vec<Target> = bodies.map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
+    let mount = Pose::from_angles(DVec3::new(0.3, 0.0, 0.1), 0.0, -0.3, 0.0);
+    let around = Surroundings {
+        ground: &|x, y| built.ground.height(x, y),
+        targets: &targets,
+        clear: &|from, to| bvh.is_clear(from, to),
+        mount: &mount,
+    };
+    let views: Trajectory =
+        serde_json::from_value(json!({"views": {"range_m": 4.0, "altitude_m": 1.2, "off_axis_deg": 0.0}}))
+            .expect("views");
+    for index in 0..60 {
+        let mut stream = Stream::at(1, "frame", index, "trajectory");
+        let sonar = views.pose(FrameOfRun { index, count: 60 }, &around, &mut stream).then_inner(&mount);
+        let hit = bvh.closest(sonar.position, sonar.rotation.x_axis, 10.0).expect("something ahead");
+        let body = built.scene.instances[hit.instance as usize].body;
+        assert!(body > 0, "frame {index} looks at the ground");
+        let target = &built.scene.bodies[usize::from(body) - 1];
+        assert!(((target.centre - sonar.position).length() - 4.0).abs() < 0.05, "frame {index}");
+    }
+}

@@ -59,7 +59,8 @@ impl Ripples {
         grid.add(|x, y| {
             let (re, im) = (1.0 + mixed * real.at(x, y), mixed * imaginary.at(x, y));
             let phase = start + kx * x + ky * y + bend * wander.at(x, y) + atan2(im, re);
-            let height = (re * re + im * im).sqrt().min(1.0);
+            // Only about the fork itself is the sand level.
+            let height = (2.0 * (re * re + im * im).sqrt()).min(1.0);
             0.5 * self.height_m * height * profile(phase)
         });
         self.roughness(grid).raise(grid, stream);
