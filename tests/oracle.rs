@@ -5,8 +5,8 @@ mod support;
 use ensonify::catalog::Part;
 use ensonify::math::Pose;
 use ensonify::math::rng::Stream;
-use ensonify::scene::Scene;
 use ensonify::scene::bvh::Bvh;
+use ensonify::scene::{AssetCache, EnvironmentSpec, Labels, Scene, SceneSpec, build};
 use ensonify::sonar::{Bearing, Sonar, Tracer};
 use glam::{DMat3, DVec3, Vec3};
 use support::{Builder, cuboid, floor, looking, part, sonar, sphere};
@@ -28,11 +28,13 @@ fn compare(scene: &Scene, sonar: &Sonar, pose: &Pose) -> Difference {
     let mut tracer = Tracer::new(sonar);
     tracer.visibility.scan(scene, pose);
     let planes = &tracer.visibility.planes;
-    let oracle = Oracle { bvh: Bvh::of_scene(scene), pose };
+    // What lies beyond the last bin is not looked for.
+    let oracle = Oracle { bvh: Bvh::of_scene(scene), pose, far: sonar.range_m[1] };
     let mut found = Difference::default();
     for plane in 0..planes.count() {
         for sample in 0..planes.samples() {
-            let ours = tracer.visibility.hit(plane, sample).map(|hit| f64::from(hit.range_m));
+            let hit = tracer.visibility.hit(plane, sample).map(|hit| f64::from(hit.range_m));
+            let ours = hit.filter(|range| *range <= oracle.far);
             let theirs = oracle.range(planes.azimuth_rad(plane), f64::from(planes.t[sample]));
             found.samples += 1;
             found.hits += usize::from(ours.is_some());
@@ -65,21 +67,29 @@ fn agree(ours: Option<f64>, theirs: Option<f64>) -> bool {
 struct Oracle<'a> {
     bvh: Bvh,
     pose: &'a Pose,
+    far: f64,
 }
 
 impl Oracle<'_> {
     /// Slant range of the first surface along a ray of the sonar's frame.
     fn range(&self, azimuth: f64, t: f64) -> Option<f64> {
         let direction = DVec3::new(azimuth.cos(), azimuth.sin(), t).normalize();
-        self.bvh.closest(self.pose.position, self.pose.rotation * direction, 1e4).map(|hit| hit.distance)
+        self.bvh.closest(self.pose.position, self.pose.rotation * direction, self.far).map(|hit| hit.distance)
     }
 }
 
 #[test]
 fn the_reference_scene_is_seen_as_rays_see_it() {
     let Some(path) = support::reference_scene() else { return };
-    let scene = Builder::new().scene();
-    let _ = path;
+    let environment = EnvironmentSpec {
+        glb: path.file_name().expect("a file").to_string_lossy().into_owned(),
+        labels: Labels::ByNode,
+        sediment: "medium-sand".into(),
+    };
+    let spec = SceneSpec { environment: Some(environment), ..SceneSpec::default() };
+    let assets = AssetCache::new(path.parent().expect("a folder"));
+    let scene = build(&spec, &assets, 1, 0).expect("the reference scene is built").scene;
+    assert_eq!(scene.bodies.len(), 20);
     let sonar = Sonar { elevation_deg: 20.0, elevations: 667, ..sonar(512, 130.0, [0.5, 30.0], 1024) };
     let found = compare(&scene, &sonar, &looking([-28.0, 0.0, 3.1146], 0.0, -15.0));
     println!(

@@ -1,6 +1,7 @@
 //! From a recipe to a plan: sections drawn scene by scene and frame by frame, models chosen, everything checked.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
@@ -99,15 +100,14 @@ impl Compiler<'_> {
         let asset = matching[choice.below(matching.len() as u64) as usize];
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
         let key = format!("{}/{}", pick.catalog, asset.uid);
-        if !locks.contains_key(&key) {
-            let lock = AssetLock {
+        if let Entry::Vacant(place) = locks.entry(key) {
+            place.insert(AssetLock {
                 sha256: sha256_of(&asset.path).map_err(|error| self.unreadable(item, &asset.path, &error))?,
                 name: asset.name.clone(),
                 licence: asset.licence.clone(),
                 attribution: asset.attribution.clone(),
                 source: asset.source.clone(),
-            };
-            locks.insert(key, lock);
+            });
         }
         Ok(BodySpec {
             label: label.unwrap_or_else(|| asset.label.clone()),

@@ -1,6 +1,8 @@
 //! What the integration tests share: the reference material where it is at hand, simple solids, simple sonars.
 #![allow(dead_code, reason = "each test binary uses its own part")]
 
+pub mod cli;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
