@@ -17,7 +17,7 @@ const STEEPEST: f64 = 0.95;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Views {
-    /// From the sonar to the target's centre, metres.
+    /// From the sonar to the target's centre, metres; more where that would be within a metre of a large target.
     pub range_m: f64,
     /// Of the sonar above the ground under it, metres; less where the range does not reach so high.
     pub altitude_m: f64,
@@ -57,21 +57,22 @@ impl Views {
     /// Where the sonar stands on a bearing from the target.
     fn stand(&self, target: &Target, bearing: f64, around: &Surroundings) -> DVec3 {
         let away = DVec3::new(cos(bearing), sin(bearing), 0.0);
+        let range = self.range_m.max(target.radius_m + 1.0);
         let mut above = self.altitude_m;
         // The ground's height is known only where the sonar stands, and that depends on it: three rounds settle it.
         for _ in 0..3 {
-            let there = target.centre + away * self.across(above);
+            let there = target.centre + away * across(range, above);
             above = (around.ground)(there.x, there.y) + self.altitude_m.max(LEAST_ALTITUDE_M) - target.centre.z;
-            above = above.min(STEEPEST * self.range_m);
+            above = above.min(STEEPEST * range);
         }
-        target.centre + away * self.across(above) + DVec3::Z * above
+        target.centre + away * across(range, above) + DVec3::Z * above
     }
+}
 
-    /// Distance in plan of a point `above` metres higher at the range.
-    fn across(&self, above: f64) -> f64 {
-        let above = above.clamp(-STEEPEST * self.range_m, STEEPEST * self.range_m);
-        (self.range_m * self.range_m - above * above).sqrt()
-    }
+/// Distance in plan of a point `above` metres higher at a range.
+fn across(range: f64, above: f64) -> f64 {
+    let above = above.clamp(-STEEPEST * range, STEEPEST * range);
+    (range * range - above * above).sqrt()
 }
 
 /// Yaw and pitch of the vehicle at which the sonar's axis has the elevation of `direction` and lies `off_axis` radians
