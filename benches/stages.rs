@@ -21,8 +21,8 @@ fn stages(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame");
     group.sample_size(20).measurement_time(Duration::from_secs(4));
 
-    group.bench_function("trace", |bench| bench.iter(|| black_box(tracer.trace(&scene, &pose, Keep::Energy))));
-    let echoes = tracer.trace(&scene, &pose, Keep::Energy);
+    group.bench_function("trace", |bench| bench.iter(|| black_box(tracer.trace(&scene, &pose, Keep::ENERGY))));
+    let echoes = tracer.trace(&scene, &pose, Keep::ENERGY);
 
     let water = Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 };
     let display = Display { white_db: 5.0, dynamic_range_db: 65.0 };

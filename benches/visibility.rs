@@ -24,7 +24,7 @@ fn visibility(criterion: &mut Criterion) {
 
     group.bench_function("scan conversion", |bench| bench.iter(|| tracer.visibility.scan(black_box(&scene), &pose)));
     group.bench_function("scan conversion and energy", |bench| {
-        bench.iter(|| black_box(tracer.trace(black_box(&scene), &pose, Keep::Energy)));
+        bench.iter(|| black_box(tracer.trace(black_box(&scene), &pose, Keep::ENERGY)));
     });
 
     // The rays of the very same samples, in the order that keeps neighbours together.

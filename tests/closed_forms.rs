@@ -155,7 +155,7 @@ fn detail_gives_the_elevation_and_incidence_of_a_flat_seabed() {
     let scene = Builder::new().background(floor(100.0, 0.0)).scene();
     let sonar = sonar(8, 20.0, [0.5, 20.0], 400);
     let mut tracer = Tracer::new(&sonar);
-    let echoes = tracer.trace(&scene, &looking([0.0, 0.0, 2.0], 0.0, 0.0), Keep::Detail);
+    let echoes = tracer.trace(&scene, &looking([0.0, 0.0, 2.0], 0.0, 0.0), Keep { detail: true, ..Keep::ENERGY });
     let detail = echoes.detail.as_ref().unwrap();
     let range = 10.0;
     let cell = echoes.grid.cell(4, echoes.grid.bin_of(range).unwrap());

@@ -35,6 +35,8 @@ pub struct Sediment {
     pub speed: f64,
     /// 10·log10 of the Lambert coefficient.
     pub lambert_db: f64,
+    /// Rms slope of the facets that are smaller than the mesh's, degrees.
+    pub slope_deg: f64,
     /// Spread of `lambert_db` between sites, dB.
     pub lambert_spread_db: f64,
     /// Shape of the gamma-distributed patchiness of the backscatter.
@@ -53,6 +55,8 @@ pub struct Material {
     pub speed: f64,
     /// 10·log10 of the Lambert coefficient.
     pub lambert_db: f64,
+    /// Rms slope of the facets that are smaller than the mesh's, degrees.
+    pub slope_deg: f64,
     /// Other words for it in glTF files.
     pub also: Vec<String>,
     /// Where the numbers come from.

@@ -174,7 +174,7 @@ mod tests {
                 }
             }
         }
-        Echoes { grid: GRID, energy, bodies, detail: None }
+        Echoes { energy, bodies, ..Echoes::silence(GRID) }
     }
 
     /// The rules of the module applied to each pixel by itself; `cell_of` names the cell of (column, row).
@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn a_ping_without_bodies_has_an_empty_mask() {
-        let echoes = Echoes { grid: GRID, energy: vec![1.0; GRID.len()], bodies: vec![], detail: None };
+        let echoes = Echoes { energy: vec![1.0; GRID.len()], ..Echoes::silence(GRID) };
         let labels = label_polar(&echoes, &SETTINGS);
         assert!(labels.annotations.is_empty() && labels.mask.iter().all(|&m| m == 0));
     }

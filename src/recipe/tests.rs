@@ -17,7 +17,7 @@ fn a_recipe_goes_all_the_way() {
     assert!((4.0..22.0).contains(&water["temperature_c"]));
     assert_eq!((water["depth_m"], water["ph"]), (20.0, 8.0));
     let shape = tree.at("seabed.shape").unwrap().draw("seabed.shape", &address).unwrap();
-    assert_eq!(shape.at("ripples.height_m").unwrap().number(), Some(0.03));
+    assert_eq!(shape.at("ripples.height_m").unwrap().number(), Some(0.04));
     let instance = Address { level: Level::Instance(2), ..address };
     let (object, draws) = tree.at("objects[0]").unwrap().draw_recorded("objects[0]", &instance).unwrap();
     assert_eq!(object.at("pose.rest.yaw_deg").unwrap().json(), draws["objects[0].pose.rest.yaw_deg"]);

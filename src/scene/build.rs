@@ -14,7 +14,11 @@ use super::seabed::{SeabedError, SeabedSpec};
 use super::{Body, Instance, Material, Mesh, Scene};
 use crate::catalog::CatalogError;
 use crate::catalog::materials::{lambert_mu, material, sediment};
+use crate::math::real::radians;
 use crate::math::rng::Stream;
+
+/// Specific impedance of sea water, kg/(m²·s).
+const SEA_WATER_IMPEDANCE: f64 = 1.539e6;
 
 /// A world to build.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -127,6 +131,7 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
     spec.check(assets)?;
     let mut ground = Ground::default();
     let mut builder = Builder::default();
+    builder.scene.texture_seed = Stream::at(seed, "scene", scene_index, "texture").bits();
     if let Some(seabed) = &spec.seabed {
         let grid = seabed.build(&mut Stream::at(seed, "scene", scene_index, "seabed"))?;
         let mesh = Arc::new(grid.mesh(&seabed.sediment));
@@ -221,11 +226,18 @@ impl Builder {
     }
 
     fn material(&mut self, surface: &Surface) -> Result<u16, CatalogError> {
-        let (name, lambert_db) = match surface {
-            Surface::Sediment(name) => (name, sediment(name)?.lambert_db),
-            Surface::Material(name) => (name, material(name)?.lambert_db),
+        let wanted = match surface {
+            Surface::Sediment(name) => {
+                let sediment = sediment(name)?;
+                let facts = Facts { density: sediment.density, speed: sediment.speed, slope_deg: sediment.slope_deg };
+                facts.material(name, sediment.lambert_db, Some(sediment.texture_nu))
+            }
+            Surface::Material(name) => {
+                let material = material(name)?;
+                let facts = Facts { density: material.density, speed: material.speed, slope_deg: material.slope_deg };
+                facts.material(name, material.lambert_db, None)
+            }
         };
-        let wanted = Material { name: name.clone(), lambert_mu: lambert_mu(lambert_db) };
         let known = self.scene.materials.iter().position(|material| *material == wanted);
         let number = known.unwrap_or_else(|| {
             self.scene.materials.push(wanted);
@@ -233,6 +245,24 @@ impl Builder {
         });
         // The tables have fewer entries than 16 bits can number.
         Ok(number as u16)
+    }
+}
+
+/// What sediments and materials have in common.
+struct Facts {
+    density: f64,
+    speed: f64,
+    slope_deg: f64,
+}
+
+impl Facts {
+    /// Reflects what its impedance does against sea water, as far as the diffuse part leaves power for it.
+    fn material(&self, name: &str, lambert_db: f64, texture_nu: Option<f64>) -> Material {
+        let (water, mu) = (SEA_WATER_IMPEDANCE, lambert_mu(lambert_db));
+        let impedance = self.density * self.speed;
+        let r = (impedance - water) / (impedance + water);
+        let reflected = (r * r).min(1.0 - std::f64::consts::PI * mu).max(0.0);
+        Material { name: name.into(), lambert_mu: mu, reflected, slope_rad: radians(self.slope_deg), texture_nu }
     }
 }
 

@@ -57,6 +57,20 @@ pub struct Material {
     pub name: String,
     /// Lambert coefficient μ, at most 1/π.
     pub lambert_mu: f64,
+    /// Share of the power that is reflected as by a mirror at normal incidence, |R|²; with the diffuse part at most 1.
+    pub reflected: f64,
+    /// Rms slope of the surface's facets, radians: the width of the specular lobe.
+    pub slope_rad: f64,
+    /// Shape ν of the gamma-distributed patchiness; none for an even surface.
+    pub texture_nu: Option<f64>,
+}
+
+impl Material {
+    /// A surface that only scatters by Lambert's law.
+    #[must_use]
+    pub fn lambert(name: &str, mu: f64) -> Self {
+        Self { name: name.into(), lambert_mu: mu, reflected: 0.0, slope_rad: 0.1, texture_nu: None }
+    }
 }
 
 /// Everything a ping can meet.
@@ -68,4 +82,6 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Labelled bodies; body number = index + 1.
     pub bodies: Vec<Body>,
+    /// Names the random patchiness of its surfaces: the same in every frame of a scene.
+    pub texture_seed: u64,
 }

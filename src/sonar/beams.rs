@@ -20,9 +20,13 @@ pub struct Beams {
     splits: Vec<Split>,
     /// Entries of `splits` a plane.
     stride: usize,
-    /// For each sample: two-way vertical pattern × azimuth step × cos⁶ε, so that
-    /// `E = weight · μ · |n·(1, t)| · w² · Δt` is the energy of a patch at 1/ρ = w that spans Δt.
+    /// For each sample: two-way vertical pattern × azimuth step × cos⁵ε, so that `E = weight · f(cos θ) · w² · Δt` is the
+    /// energy of a patch at 1/ρ = w that spans Δt.
     pub weight: Vec<f32>,
+    /// For each sample: two-way vertical pattern × its solid angle, sr.
+    pub solid_angle: Vec<f32>,
+    /// For each sample: cosine of its elevation.
+    pub cosine: Vec<f32>,
 }
 
 impl Beams {
@@ -43,13 +47,32 @@ impl Beams {
                 splits.push(split(azimuth, cos_elevation, planes.step_rad, half, beam_rad));
             }
         }
-        let weight = planes.t.iter().map(|&t| {
-            let cos2 = 1.0 / (1.0 + f64::from(t) * f64::from(t));
-            let sin_elevation = f64::from(t) * cos2.sqrt();
-            let pattern = sonar.vertical_beam_deg.map_or(1.0, |width| vertical_pattern(sin_elevation, radians(width)));
-            (pattern * planes.step_rad * cos2 * cos2 * cos2) as f32
-        });
-        Self { splits, stride: samples.len(), weight: weight.collect() }
+        let cosine: Vec<f64> = planes.t.iter().map(|&t| 1.0 / (1.0 + f64::from(t) * f64::from(t)).sqrt()).collect();
+        let heard: Vec<f64> = planes
+            .t
+            .iter()
+            .zip(&cosine)
+            .map(|(&t, cosine)| {
+                let sin_elevation = f64::from(t) * cosine;
+                let pattern =
+                    sonar.vertical_beam_deg.map_or(1.0, |width| vertical_pattern(sin_elevation, radians(width)));
+                pattern * planes.step_rad
+            })
+            .collect();
+        let times_cosine = |power: i32, step: f64| -> Vec<f32> {
+            heard
+                .iter()
+                .zip(&cosine)
+                .map(|(heard, c)| (heard * step * (0..power).fold(1.0, |p, _| p * c)) as f32)
+                .collect()
+        };
+        Self {
+            splits,
+            stride: samples.len(),
+            weight: times_cosine(5, 1.0),
+            solid_angle: times_cosine(3, f64::from(planes.t_step)),
+            cosine: cosine.iter().map(|&c| c as f32).collect(),
+        }
     }
 
     /// Who hears sample (plane, sample).

@@ -4,18 +4,33 @@ use super::Grid;
 
 /// Noise-free echo energy of one ping.
 ///
-/// Energy is the dimensionless two-way power ratio at 1 m re source, without absorption:
-/// `E = Σ pattern · μ · cos θ · dΩ / R²` (1/m²), summed over everything visible in a cell.
+/// Energy is the two-way power ratio re the source at 1 m, without absorption:
+/// `E = Σ pattern · f(cos θ) · dΩ / R²` (1/m²), summed over everything visible in a cell, with `f` the surface's
+/// backscatter (`μ·cos θ` and the specular lobe, see [`super::surface::backscatter`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Echoes {
     /// The cells.
     pub grid: Grid,
     /// Energy of each cell, from bodies and background together (`grid.len()` values, cell order).
     pub energy: Vec<f32>,
+    /// Solid angle through which open water is seen in each cell, weighted by the two-way vertical pattern, sr: what
+    /// volume reverberation is made from. Shadows have none.
+    pub water: Vec<f32>,
     /// The part of each cell's energy that labelled bodies gave: sorted by cell, then body, each pair once, energy > 0.
     pub bodies: Vec<BodyEcho>,
     /// Energy-weighted means, where asked for.
     pub detail: Option<Detail>,
+    /// Counts of rays, where asked for.
+    pub rays: Option<Rays>,
+}
+
+impl Echoes {
+    /// A ping that met nothing, in clear water that nothing was traced through.
+    #[must_use]
+    pub fn silence(grid: Grid) -> Self {
+        let zeros = || vec![0.0; grid.len()];
+        Self { grid, energy: zeros(), water: zeros(), bodies: Vec::new(), detail: None, rays: None }
+    }
 }
 
 /// One body's share of one cell.
@@ -38,4 +53,13 @@ pub struct Detail {
     pub incidence_rad: Vec<f32>,
     /// Index into the scene's materials, plus one, of the strongest contribution; 0 where nothing echoes.
     pub material: Vec<u16>,
+}
+
+/// The samples of a ping as rays, for models that average over rays (`grid.len()` values each).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rays {
+    /// Rays that met a surface in the cell; shared between two beams where bearing is a cone angle.
+    pub count: Vec<f32>,
+    /// Sum of their cosines of incidence.
+    pub cosine: Vec<f32>,
 }

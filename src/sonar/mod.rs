@@ -3,11 +3,13 @@
 //! Knows nothing of water, noise, displays or labels: absorption, speckle and TVG come later and never touch this energy.
 
 pub mod beams;
-pub mod deposit;
+mod cells;
+mod deposit;
 pub mod device;
 pub mod echoes;
 pub mod fan;
 pub mod grid;
+pub mod surface;
 pub mod trace;
 pub mod visibility;
 

@@ -1,19 +1,26 @@
 //! One ping: what is visible, and the energy that it sends back.
 
 use super::beams::Beams;
-use super::deposit::{Cells, PlaneView, Surface};
-use super::visibility::{Planes, Segment, Visibility};
-use super::{BodyEcho, Echoes, Sonar};
+use super::cells::Cells;
+use super::deposit::Ping;
+use super::surface::Surfaces;
+use super::visibility::{Planes, Visibility};
+use super::{Echoes, Sonar};
 use crate::math::Pose;
 use crate::scene::Scene;
 
-/// Whether a trace also keeps energy-weighted means of elevation, incidence and material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Keep {
+/// What a trace keeps beside energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Keep {
+    /// Means of elevation, incidence and material: [`super::echoes::Detail`].
+    pub detail: bool,
+    /// Counts of rays: [`super::echoes::Rays`].
+    pub rays: bool,
+}
+
+impl Keep {
     /// Energy alone.
-    Energy,
-    /// Energy and [`super::echoes::Detail`].
-    Detail,
+    pub const ENERGY: Self = Self { detail: false, rays: false };
 }
 
 /// A sonar made ready: its tables, and buffers used again from ping to ping. One a thread.
@@ -28,7 +35,7 @@ pub struct Tracer {
 /// Traces one ping. For many pings of one sonar, keep a [`Tracer`].
 #[must_use]
 pub fn trace(scene: &Scene, sonar: &Sonar, world_from_sonar: &Pose) -> Echoes {
-    Tracer::new(sonar).trace(scene, world_from_sonar, Keep::Energy)
+    Tracer::new(sonar).trace(scene, world_from_sonar, Keep::ENERGY)
 }
 
 impl Tracer {
@@ -49,41 +56,16 @@ impl Tracer {
     /// Traces one ping of `scene` from `world_from_sonar`.
     pub fn trace(&mut self, scene: &Scene, world_from_sonar: &Pose, keep: Keep) -> Echoes {
         self.visibility.scan(scene, world_from_sonar);
-        let Visibility { planes, depth, .. } = &self.visibility;
-        let mut cells = Cells::new(self.sonar.grid(), keep == Keep::Detail);
-        let surface_of = |segment: &Segment| {
-            let instance = &scene.instances[usize::from(segment.instance)];
-            let material = instance.materials[usize::from(segment.material)];
-            let mu = scene.materials[usize::from(material)].lambert_mu as f32;
-            Surface { body: instance.body, material, mu }
+        let mut cells = Cells::new(self.sonar.grid(), keep);
+        let ping = Ping {
+            planes: &self.visibility.planes,
+            beams: &self.beams,
+            depth: &self.visibility.depth,
+            scene,
+            surfaces: &Surfaces::new(scene),
+            world_from_sonar,
         };
-        let samples = planes.samples();
-        for number in 0..planes.count() {
-            let row = number * samples..(number + 1) * samples;
-            let plane = PlaneView {
-                number,
-                planes,
-                beams: &self.beams,
-                nearest: &depth.nearest[row.clone()],
-                segment: &depth.segment[row],
-                segments: &depth.segments,
-            };
-            cells.add_plane(&plane, surface_of);
-        }
-        let detail = cells.detail.take().map(|sums| sums.means(&cells.energy));
-        Echoes { grid: self.sonar.grid(), bodies: merged(cells.bodies), energy: cells.energy, detail }
+        ping.deposit(&mut cells);
+        cells.echoes()
     }
-}
-
-/// Sorts by cell and body and adds up what belongs together. The sort is stable, so sums keep their order.
-fn merged(mut echoes: Vec<BodyEcho>) -> Vec<BodyEcho> {
-    echoes.sort_by_key(|echo| (echo.cell, echo.body));
-    echoes.dedup_by(|later, kept| {
-        let same = (later.cell, later.body) == (kept.cell, kept.body);
-        if same {
-            kept.energy += later.energy;
-        }
-        same
-    });
-    echoes
 }

@@ -70,7 +70,7 @@ pub struct Builder(Scene);
 
 impl Builder {
     pub fn new() -> Self {
-        let materials = vec![Material { name: "unit".into(), lambert_mu: 1.0 }];
+        let materials = vec![Material::lambert("unit", 1.0)];
         Self(Scene { materials, ..Scene::default() })
     }
 

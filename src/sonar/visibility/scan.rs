@@ -41,6 +41,13 @@ impl Segment {
     pub fn inverse_rho(&self, t: f32) -> f32 {
         self.far_w + self.slope * (t - self.far_t)
     }
+
+    /// `|n · (1, t)|` in the plane: the cosine of incidence times the secant of elevation.
+    #[inline]
+    #[must_use]
+    pub fn facing(&self, t: f32) -> f32 {
+        (self.normal_rho + self.normal_z * t).abs()
+    }
 }
 
 /// What all triangles of a cluster have in common.
