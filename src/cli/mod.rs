@@ -2,6 +2,14 @@
 //!
 //! Results go to standard output, messages to standard error.
 
+/// Prints a line of results. Whoever reads may stop reading (`ensonify status … | head`): that is no error.
+macro_rules! say {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stdout(), $($text)*);
+    }};
+}
+
 mod check;
 mod plan;
 mod preview;

@@ -47,7 +47,7 @@ impl Preview {
         }
         std::fs::write(&path, png::rgb8(sheet.width(), sheet.height(), sheet.as_raw()))
             .with_context(|| format!("cannot write {}; choose another file with -o", path.display()))?;
-        println!("{}", path.display());
+        say!("{}", path.display());
         Ok(Code::Done)
     }
 }
