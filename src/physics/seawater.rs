@@ -174,6 +174,8 @@ mod tests {
 
     #[test]
     fn brine_is_outside() {
-        assert!(!Seawater { temperature_c: 20.0, salinity_ppt: 44.0, pressure_dbar: 0.0 }.sound_speed_m_s().is_within());
+        assert!(
+            !Seawater { temperature_c: 20.0, salinity_ppt: 44.0, pressure_dbar: 0.0 }.sound_speed_m_s().is_within()
+        );
     }
 }

@@ -22,9 +22,8 @@ pub fn mackenzie_m_s(temperature_c: f64, salinity_ppt: f64, depth_m: f64) -> Sta
 /// Source: Medwin (1975), J. Acoust. Soc. Am. 58:1318–1319.
 pub fn medwin_m_s(temperature_c: f64, salinity_ppt: f64, depth_m: f64) -> Stated<f64> {
     let t = temperature_c;
-    let value = polynomial(&[1449.2, 4.6, -0.055, 0.000_29], t)
-        + (1.34 - 0.010 * t) * (salinity_ppt - 35.0)
-        + 0.016 * depth_m;
+    let value =
+        polynomial(&[1449.2, 4.6, -0.055, 0.000_29], t) + (1.34 - 0.010 * t) * (salinity_ppt - 35.0) + 0.016 * depth_m;
     Stated::new(value, &limits(temperature_c, (0.0, 35.0), salinity_ppt, (0.0, 45.0), depth_m, 1000.0))
 }
 
@@ -32,10 +31,8 @@ pub fn medwin_m_s(temperature_c: f64, salinity_ppt: f64, depth_m: f64) -> Stated
 ///
 /// Source: Marczak (1997), J. Acoust. Soc. Am. 102:2776–2779.
 pub fn marczak_m_s(temperature_c: f64) -> Stated<f64> {
-    let value = polynomial(
-        &[1.402_385e3, 5.038_813, -5.799_136e-2, 3.287_156e-4, -1.398_845e-6, 2.787_860e-9],
-        temperature_c,
-    );
+    let value =
+        polynomial(&[1.402_385e3, 5.038_813, -5.799_136e-2, 3.287_156e-4, -1.398_845e-6, 2.787_860e-9], temperature_c);
     Stated::new(value, &[("temperature, °C", temperature_c, 0.0, 95.0)])
 }
 
@@ -62,11 +59,8 @@ pub fn chen_millero_m_s(temperature_68_c: f64, salinity_ppt: f64, pressure_bar: 
     let salt_3_2 = table(&[&[-1.922e-2, -4.42e-5], &[7.3637e-5, 1.7945e-7]]);
     let salt_2 = 1.727e-3 - 7.9836e-6 * p;
     let value = pure + (salt + salt_3_2 * s.sqrt() + salt_2 * s) * s;
-    let limits = [
-        ("temperature, °C", t, 0.0, 40.0),
-        ("salinity, ppt", s, 0.0, 40.0),
-        ("pressure, bar", p, 0.0, 1000.0),
-    ];
+    let limits =
+        [("temperature, °C", t, 0.0, 40.0), ("salinity, ppt", s, 0.0, 40.0), ("pressure, bar", p, 0.0, 1000.0)];
     Stated::new(value, &limits)
 }
 
