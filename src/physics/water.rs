@@ -59,7 +59,6 @@ impl Water {
 
     /// Speed of sound, m/s, and its equation: Mackenzie's where its range holds, as oceanographers would; TEOS-10, which has
     /// no gap between fresh water and brine, elsewhere. They differ by less than 0.1 m/s where they meet.
-    #[must_use]
     pub fn sound_speed(&self) -> (SpeedEquation, Stated<f64>) {
         let mackenzie = mackenzie_m_s(self.temperature_c, self.salinity_ppt, self.depth_m);
         if mackenzie.is_within() {
