@@ -15,6 +15,8 @@ pub mod motion;
 pub mod noise;
 mod numeric;
 pub mod reflection;
+pub mod report;
+mod report_text;
 pub mod response;
 pub mod rigid_sphere;
 pub mod seawater;
@@ -28,6 +30,7 @@ pub mod target;
 pub mod turbidity;
 pub mod water;
 
+pub use report::WaterReport;
 pub use stated::{Outside, Stated};
 pub use turbidity::Turbidity;
 pub use water::{SpeedEquation, Water};
