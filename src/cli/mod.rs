@@ -16,6 +16,7 @@ mod preview;
 mod progress;
 mod run;
 mod status;
+mod water;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,6 +63,7 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Status(status::StatusVerb),
+    Water(water::WaterVerb),
 }
 
 /// A recipe on the command line.
@@ -89,6 +91,7 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
+        Verb::Water(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

@@ -13,9 +13,11 @@ use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
 use super::seabed::{SeabedError, SeabedSpec};
 use super::{Body, Instance, Material, Mesh, Scene};
 use crate::catalog::CatalogError;
-use crate::catalog::materials::{lambert_mu, material, sediment};
+use crate::catalog::materials::{material, sediment};
 use crate::math::real::radians;
 use crate::math::rng::Stream;
+use crate::physics::lambert::{MAX_LAMBERT_MU, lambert_mu};
+use crate::physics::reflection::normal_incidence;
 
 /// Specific impedance of sea water, kg/(m²·s).
 const SEA_WATER_IMPEDANCE: f64 = 1.539e6;
@@ -258,9 +260,9 @@ struct Facts {
 impl Facts {
     /// Reflects what its impedance does against sea water, as far as the diffuse part leaves power for it.
     fn material(&self, name: &str, lambert_db: f64, texture_nu: Option<f64>) -> Material {
-        let (water, mu) = (SEA_WATER_IMPEDANCE, lambert_mu(lambert_db));
-        let impedance = self.density * self.speed;
-        let r = (impedance - water) / (impedance + water);
+        // The tables are checked when they are read, so nothing is cut off here.
+        let mu = lambert_mu(lambert_db).unwrap_or(MAX_LAMBERT_MU);
+        let r = normal_incidence(SEA_WATER_IMPEDANCE, self.density * self.speed);
         let reflected = (r * r).min(1.0 - std::f64::consts::PI * mu).max(0.0);
         Material { name: name.into(), lambert_mu: mu, reflected, slope_rad: radians(self.slope_deg), texture_nu }
     }
