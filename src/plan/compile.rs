@@ -42,8 +42,7 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
                 frame,
                 split,
                 sonar: sections.sonar,
-                water: sections.water,
-                image: sections.image,
+                looks: sections.looks,
                 trajectory: sections.trajectory,
                 drawn: sections.drawn,
             });

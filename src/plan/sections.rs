@@ -4,19 +4,18 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::Look;
 use super::header::{Header, Output, Splits};
+use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
-use crate::image::ImageModel;
 use crate::label::LabelSettings;
-use crate::math::Impossible;
-use crate::physics::Water;
 use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
 use crate::scene::{EnvironmentSpec, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "ensonify",
     "name",
     "seed",
@@ -29,6 +28,7 @@ const KEYS: [&str; 15] = [
     "objects",
     "trajectory",
     "image",
+    "looks",
     "labels",
     "splits",
     "output",
@@ -53,6 +53,8 @@ pub(super) struct ObjectEntry {
 pub(super) struct Sections {
     /// With defaults.
     pub tree: Tree,
+    /// The recipe as each look sees it; at least one.
+    looks: Vec<LookTree>,
     /// The user's sonar section alone: device files go between it and the defaults.
     sonar: Node,
     sonar_defaults: Node,
@@ -63,8 +65,7 @@ pub(super) struct Sections {
 /// The sections that may differ from frame to frame.
 pub(super) struct FrameSections {
     pub sonar: Sonar,
-    pub water: Water,
-    pub image: ImageModel,
+    pub looks: Vec<Look>,
     pub trajectory: Trajectory,
     pub drawn: Draws,
 }
@@ -102,10 +103,11 @@ impl Sections {
             let help = "write for example `trajectory: {orbit: {radius_m: 5, altitude_m: 2}}`";
             return Err(tree.reject("", "the section `trajectory` is missing", help));
         }
+        let looks = looks::read(recipe, &tree)?;
         let defaults = recipe::parse("defaults", DEFAULTS, Origin::BuiltIn)?;
         let sonar_defaults = defaults.get("sonar").cloned().unwrap_or_else(|| sonar.clone());
         let recipe_dir = recipe_dir.to_owned();
-        Ok(Self { tree, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
+        Ok(Self { tree, looks, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
     }
 
     /// What holds for the whole dataset; `stem` names it where the recipe does not.
@@ -171,10 +173,7 @@ impl Sections {
     pub fn frame(&self, address: &Address) -> Result<FrameSections, recipe::Error> {
         let mut drawn = Draws::new();
         let sonar = self.sonar(address, &mut drawn)?;
-        let water: Water = self.present("water", address, &mut drawn)?;
-        water.validate().map_err(|fault| self.impossible("water", &fault))?;
-        let image: ImageModel = self.present("image", address, &mut drawn)?;
-        image.validate().map_err(|fault| self.impossible("image", &fault))?;
+        let looks = self.looks.iter().map(|look| look.draw(address, &mut drawn)).collect::<Result<_, _>>()?;
         let trajectory: Trajectory = self.present("trajectory", address, &mut drawn)?;
         trajectory.check().map_err(|fault| {
             let kind = self.tree.at("trajectory").and_then(|node| node.entries().first()).map(|(key, _)| &*key.text);
@@ -182,7 +181,7 @@ impl Sections {
             let message = format!("{} is not {}", fault.value, fault.range);
             self.tree.reject(&path, &message, &format!("write a number that is {}", fault.range))
         })?;
-        Ok(FrameSections { sonar, water, image, trajectory, drawn })
+        Ok(FrameSections { sonar, looks, trajectory, drawn })
     }
 
     /// The sonar: the user's keys over the device's over the defaults.
@@ -194,13 +193,8 @@ impl Sections {
             None => self.sonar_defaults.clone(),
         };
         let sonar: Sonar = user.merged_over(&under).to("sonar")?;
-        sonar.validate().map_err(|fault| self.impossible("sonar", &fault))?;
+        sonar.validate().map_err(|fault| looks::impossible(&self.tree, "sonar", &fault))?;
         Ok(sonar)
-    }
-
-    /// A figure that cannot be, at its place in the recipe.
-    fn impossible(&self, section: &str, fault: &Impossible) -> recipe::Error {
-        self.tree.reject(&format!("{section}.{}", fault.key), &fault.problem, &fault.remedy)
     }
 
     /// A device file: built in, or a YAML file named relative to the recipe.
