@@ -105,6 +105,36 @@ fn lambert_bodies_return_the_energy_of_the_table() {
     }
 }
 
+/// A round plate facing the sonar, `distance` ahead.
+fn disc(distance: f32, radius: f32) -> ensonify::catalog::Part {
+    let rim = (0..360).map(|degree| {
+        let angle = (degree as f32).to_radians();
+        Vec3::new(distance, radius * angle.cos(), radius * angle.sin())
+    });
+    let positions = std::iter::once(Vec3::new(distance, 0.0, 0.0)).chain(rim).collect();
+    support::part(positions, (0..360).map(|i| [0, 1 + i, 1 + (i + 1) % 360]).collect())
+}
+
+#[test]
+fn a_disc_facing_the_sonar_returns_its_area_over_the_fourth_power_of_range() {
+    let energy = |distance: f32| {
+        let scene = Builder::new().body(disc(distance, 0.2)).scene();
+        let sonar = Sonar { elevation_deg: 20.0, elevations: 2001, ..sonar(800, 20.0, [0.5, 20.0], 500) };
+        trace(&scene, &sonar, &Pose::IDENTITY).energy.iter().map(|&e| f64::from(e)).sum::<f64>()
+    };
+    // μ·cos²θ·A / R⁴ with μ = 1; the plate is small, so cos θ is 1.
+    for distance in [3.0, 6.0, 12.0] {
+        let expected = std::f64::consts::PI * 0.04 / f64::from(distance).powi(4);
+        assert!(
+            (energy(distance) / expected - 1.0).abs() < 0.02,
+            "{distance} m: {} is not {expected}",
+            energy(distance)
+        );
+    }
+    let weaker_db = 10.0 * (energy(3.0) / energy(6.0)).log10();
+    assert!((weaker_db - 12.04).abs() < 0.1, "twice the range is {weaker_db} dB weaker");
+}
+
 #[test]
 fn twice_the_elevations_hardly_change_the_image() {
     let scene = Builder::new()
