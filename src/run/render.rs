@@ -44,7 +44,7 @@ impl Renderer {
     /// Renders a job in its world.
     pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Frame {
         let world_from_sonar = world.sonar_pose(header, job);
-        let keep = Keep { detail: header.output.raw == Raw::Exr, ..Keep::ENERGY };
+        let keep = Keep { detail: header.output.raw == Raw::Exr, rays: job.image.rays() };
         let echoes = self.tracer(job).trace(world.scene(), &world_from_sonar, keep);
         let channel = Channel::new(&job.sonar, &job.water);
         let mut stream = Stream::at(header.seed, "frame", job.id, "image");

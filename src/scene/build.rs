@@ -261,8 +261,10 @@ impl Facts {
         let (water, mu) = (SEA_WATER_IMPEDANCE, lambert_mu(lambert_db));
         let impedance = self.density * self.speed;
         let r = (impedance - water) / (impedance + water);
-        let reflected = (r * r).min(1.0 - std::f64::consts::PI * mu).max(0.0);
-        Material { name: name.into(), lambert_mu: mu, reflected, slope_rad: radians(self.slope_deg), texture_nu }
+        let reflectivity = r * r;
+        let reflected = reflectivity.min(1.0 - std::f64::consts::PI * mu).max(0.0);
+        let slope_rad = radians(self.slope_deg);
+        Material { name: name.into(), lambert_mu: mu, reflected, reflectivity, slope_rad, texture_nu }
     }
 }
 
