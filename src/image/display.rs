@@ -48,13 +48,22 @@ pub fn detect(field: &Field, grid: &Grid, model: &ImageModel, channel: &Channel)
 mod tests {
     use super::*;
     use crate::image::Model;
+    use crate::physics::Water;
 
     #[test]
     fn white_and_black_are_where_the_display_says() {
         let grid = Grid { beams: 1, bins: 3, azimuth_deg: 0.25, near_m: 0.5, far_m: 3.5 };
         let display = Display { white_db: -5.0, dynamic_range_db: 60.0 };
         let model = ImageModel { model: Model::Physical, tvg_db_per_decade: 30.0, display };
-        let channel = Channel { absorption_db_per_m: 0.3, noise_power: 0.0, beam_width_deg: 0.25, pulse_m: 1.0 };
+        let water = Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 };
+        let channel = Channel {
+            absorption_db_per_m: 0.3,
+            noise_power: 0.0,
+            beam_width_deg: 0.25,
+            pulse_m: 1.0,
+            frequency_khz: 900.0,
+            water,
+        };
         // A cell whose echo is that of backscattering strength `s` at its range.
         let amplitude = |s: f64, bin: u32| {
             let gain = time_varied_gain_db(30.0, 0.3, grid.range_m(bin));

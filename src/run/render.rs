@@ -44,9 +44,22 @@ impl Renderer {
     /// Renders a job in its world.
     pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Frame {
         let world_from_sonar = world.sonar_pose(header, job);
-        let keep = Keep { detail: header.output.raw == Raw::Exr, ..Keep::ENERGY };
-        let echoes = self.tracer(job).trace(world.scene(), &world_from_sonar, keep);
-        let greys: Vec<Vec<u8>> = job.looks.iter().map(|look| grey(header, job, look, &echoes)).collect();
+        // Looks that average over rays may sort them by one range or the other: a second trace serves the second kind.
+        let first = job.looks.iter().find_map(|look| look.image.rays());
+        let second = job.looks.iter().filter_map(|look| look.image.rays()).find(|range| Some(*range) != first);
+        let tracer = self.tracer(job);
+        let keep = Keep { detail: header.output.raw == Raw::Exr, rays: first };
+        let echoes = tracer.trace(world.scene(), &world_from_sonar, keep);
+        let others = second
+            .map(|range| tracer.trace(world.scene(), &world_from_sonar, Keep { rays: Some(range), ..Keep::ENERGY }));
+        let greys: Vec<Vec<u8>> = job
+            .looks
+            .iter()
+            .map(|look| match &others {
+                Some(others) if look.image.rays() == second => grey(header, job, look, others),
+                _ => grey(header, job, look, &echoes),
+            })
+            .collect();
         let view = |&view: &View| match view {
             View::Polar => Picture {
                 view,

@@ -263,8 +263,10 @@ impl Facts {
         // The tables are checked when they are read, so nothing is cut off here.
         let mu = lambert_mu(lambert_db).unwrap_or(MAX_LAMBERT_MU);
         let r = normal_incidence(SEA_WATER_IMPEDANCE, self.density * self.speed);
-        let reflected = (r * r).min(1.0 - std::f64::consts::PI * mu).max(0.0);
-        Material { name: name.into(), lambert_mu: mu, reflected, slope_rad: radians(self.slope_deg), texture_nu }
+        let reflectivity = r * r;
+        let reflected = reflectivity.min(1.0 - std::f64::consts::PI * mu).max(0.0);
+        let slope_rad = radians(self.slope_deg);
+        Material { name: name.into(), lambert_mu: mu, reflected, reflectivity, slope_rad, texture_nu }
     }
 }
 

@@ -14,7 +14,7 @@ pub mod trace;
 pub mod visibility;
 
 pub use device::{Bearing, Mount, Sonar};
-pub use echoes::{BodyEcho, Echoes};
+pub use echoes::{BodyEcho, Echoes, RayRange, Rays};
 pub use fan::FanMap;
 pub use grid::Grid;
 pub use trace::{Keep, Tracer, trace};

@@ -5,7 +5,7 @@ use super::cells::Cells;
 use super::deposit::Ping;
 use super::surface::Surfaces;
 use super::visibility::{Planes, Visibility};
-use super::{Echoes, Sonar};
+use super::{Echoes, RayRange, Sonar};
 use crate::math::Pose;
 use crate::scene::Scene;
 
@@ -14,13 +14,13 @@ use crate::scene::Scene;
 pub struct Keep {
     /// Means of elevation, incidence and material: [`super::echoes::Detail`].
     pub detail: bool,
-    /// Counts of rays: [`super::echoes::Rays`].
-    pub rays: bool,
+    /// Counts of rays, sorted by this range: [`super::echoes::Rays`].
+    pub rays: Option<RayRange>,
 }
 
 impl Keep {
     /// Energy alone.
-    pub const ENERGY: Self = Self { detail: false, rays: false };
+    pub const ENERGY: Self = Self { detail: false, rays: None };
 }
 
 /// A sonar made ready: its tables, and buffers used again from ping to ping. One a thread.
