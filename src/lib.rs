@@ -7,6 +7,7 @@ pub mod label;
 pub mod math;
 pub mod physics;
 pub mod plan;
+pub mod realism;
 pub mod recipe;
 pub mod run;
 pub mod scene;

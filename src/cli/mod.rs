@@ -6,6 +6,7 @@ mod check;
 mod plan;
 mod preview;
 mod progress;
+mod realism;
 mod run;
 mod status;
 
@@ -54,6 +55,7 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Status(status::StatusVerb),
+    Realism(realism::Realism),
 }
 
 /// A recipe on the command line.
@@ -81,6 +83,7 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
+        Verb::Realism(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");
