@@ -21,6 +21,10 @@ pub fn table(comparison: &Comparison) -> String {
 
 fn rows(text: &mut String, group: &Group, width: usize) {
     for line in &group.lines {
+        if let (None, None, Distance::NotComparable(why)) = (line.real, line.ours, &line.distance) {
+            let _ = writeln!(text, "  {}: not comparable: {why}", line.name);
+            continue;
+        }
         let [real, ours] = [line.real, line.ours].map(|value| value.map_or_else(|| "-".to_owned(), number));
         let distance = match &line.distance {
             Distance::Relative(distance) => format!("{:+.0} %", 100.0 * distance),
@@ -71,7 +75,7 @@ mod tests {
 quantiles                real       ours  distance
   50 %                   71.0       64.0  -10 %
   skewness, median       71.0     -0.250  -71.2 apart
-  a name that is much longer than all others          -          -  not comparable: no such class
+  a name that is much longer than all others: not comparable: no such class
   -> within 10 %
 
 ";
