@@ -46,7 +46,8 @@
 //! ```
 //!
 //! The floors, from the ground up; a module imports only from floors below its own: `math` · `physics`, `recipe` ·
-//! `catalog`, `vehicle` · `scene` · `sonar` · `image`, `label` · `store`, `plan` · `export`, `view`, `run` · `cli`.
+//! `catalog`, `vehicle` · `scene` · `sonar` · `image`, `label` · `store`, `plan` · `export`, `view`, `realism`,
+//! `run` · `cli`.
 
 pub mod recipe;
 
@@ -65,6 +66,7 @@ pub mod label;
 pub mod store;
 
 pub mod export;
+pub mod realism;
 pub mod run;
 pub mod view;
 

@@ -14,6 +14,7 @@ mod check;
 mod plan;
 mod preview;
 mod progress;
+mod realism;
 mod run;
 mod status;
 mod water;
@@ -64,6 +65,7 @@ enum Verb {
     Preview(preview::Preview),
     Status(status::StatusVerb),
     Water(water::WaterVerb),
+    Realism(realism::Realism),
 }
 
 /// A recipe on the command line.
@@ -92,6 +94,7 @@ pub fn main() -> ExitCode {
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
         Verb::Water(verb) => verb.run(),
+        Verb::Realism(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

@@ -5,6 +5,7 @@
 
 pub use libm::{acos, acosh, asin, atan2, cos, cosh, exp, lgamma, log as ln, log10, pow, sin, tan};
 pub use libm::{cosf, log10f, logf as lnf, powf, sinf};
+pub use libm::{erf, lgamma};
 
 /// Degrees to radians.
 #[must_use]
