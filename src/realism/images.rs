@@ -101,8 +101,10 @@ impl Source {
                 grids.push(grid);
                 grids.len() - 1
             });
+            // Of several looks the first is measured: it is the one that the others vary.
+            let look = record.looks.first().map(String::as_str);
             frames.push(FrameFiles {
-                image: root.join(layout::image(View::Fan, &record.name)),
+                image: root.join(layout::image(View::Fan, &record.name, look)),
                 mask: Some(root.join(layout::mask(View::Fan, &record.name))),
                 labels: fan.annotations.iter().map(|seen| (seen.body, seen.label.clone())).collect(),
                 shape,
