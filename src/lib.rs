@@ -37,7 +37,7 @@
 //! };
 //! let text = "{beams: 64, azimuth_deg: 60, elevation_deg: 20, vertical_beam_deg: 20, elevations: 200, range_m: [1, 10],
 //!   range_bins: 450, bearing: cone, beam_width_deg: 1, frequency_khz: 900, bandwidth_khz: 100, source_level_db: 210,
-//!   directivity_db: 30, mount: {position_m: [0, 0, 0], yaw_deg: 0, pitch_deg: 0, roll_deg: 0}}";
+//!   directivity_db: 30, yaw_rate_deg_s: 0, mount: {position_m: [0, 0, 0], yaw_deg: 0, pitch_deg: 0, roll_deg: 0}}";
 //! let sonar: Sonar = parse("sonar", text, Origin::Given)?.to("sonar")?;
 //! let echoes = trace(&scene, &sonar, &Pose::IDENTITY);
 //! let nearest = echoes.bodies.iter().map(|echo| echo.cell % 450).min();

@@ -10,12 +10,12 @@ use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
 use crate::label::LabelSettings;
 use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
-use crate::scene::{EnvironmentSpec, PoseSpec, SeabedSpec};
+use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "ensonify",
     "name",
     "seed",
@@ -25,6 +25,7 @@ const KEYS: [&str; 16] = [
     "water",
     "seabed",
     "environment",
+    "multipath",
     "objects",
     "trajectory",
     "image",
@@ -62,6 +63,13 @@ pub(super) struct Sections {
     recipe_dir: std::path::PathBuf,
 }
 
+/// What a scene is made of beside its objects.
+pub(super) struct World {
+    pub seabed: Option<SeabedSpec>,
+    pub environment: Option<EnvironmentSpec>,
+    pub multipath: Option<Multipath>,
+}
+
 /// The sections that may differ from frame to frame.
 pub(super) struct FrameSections {
     pub sonar: Sonar,
@@ -83,6 +91,7 @@ impl Sections {
             ("trajectory", Level::Frame(0)),
             ("seabed", Level::Scene),
             ("environment", Level::Scene),
+            ("multipath", Level::Scene),
         ] {
             if let Some(node) = tree.at(section) {
                 node.check_distributions(section, level)?;
@@ -160,13 +169,14 @@ impl Sections {
         self.tree.section(key)?.ok_or_else(|| self.tree.reject("", &format!("the key `{key}` is missing"), &help))
     }
 
-    /// The seabed and the environment of a scene.
-    pub fn world(
-        &self,
-        address: &Address,
-        drawn: &mut Draws,
-    ) -> Result<(Option<SeabedSpec>, Option<EnvironmentSpec>), recipe::Error> {
-        Ok((self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?))
+    /// What a scene is made of beside its objects.
+    pub fn world(&self, address: &Address, drawn: &mut Draws) -> Result<World, recipe::Error> {
+        let multipath: Option<Multipath> = self.drawn("multipath", address, drawn)?;
+        if let Some(Err(fault)) = multipath.as_ref().map(Multipath::validate) {
+            return Err(self.tree.reject("multipath", &format!("{}: {}", fault.key, fault.problem), &fault.remedy));
+        }
+        let (seabed, environment) = (self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?);
+        Ok(World { seabed, environment, multipath })
     }
 
     /// The sections of one frame.

@@ -9,6 +9,7 @@ use thiserror::Error;
 use super::assets::AssetCache;
 use super::environment::{EnvironmentSpec, Surface};
 use super::ground::Ground;
+use super::multipath::Multipath;
 use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
 use super::seabed::{SeabedError, SeabedSpec};
 use super::{Body, Instance, Material, Mesh, Scene};
@@ -30,6 +31,8 @@ pub struct SceneSpec {
     pub seabed: Option<SeabedSpec>,
     /// A fixed world.
     pub environment: Option<EnvironmentSpec>,
+    /// Mirrors for sound.
+    pub multipath: Option<Multipath>,
     /// Objects, in this order.
     pub bodies: Vec<BodySpec>,
 }
@@ -133,6 +136,7 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
     spec.check(assets)?;
     let mut ground = Ground::default();
     let mut builder = Builder::default();
+    builder.scene.mirrors = spec.multipath.iter().flat_map(Multipath::mirrors).collect();
     builder.scene.texture_seed = Stream::at(seed, "scene", scene_index, "texture").bits();
     if let Some(seabed) = &spec.seabed {
         let grid = seabed.build(&mut Stream::at(seed, "scene", scene_index, "seabed"))?;

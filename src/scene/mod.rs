@@ -8,6 +8,7 @@ pub mod bvh;
 pub mod environment;
 pub mod ground;
 pub mod mesh;
+pub mod multipath;
 pub mod placement;
 pub mod seabed;
 
@@ -21,6 +22,7 @@ pub use bvh::{Bvh, Hit};
 pub use environment::{EnvironmentSpec, Labels};
 pub use ground::Ground;
 pub use mesh::{Cluster, Mesh};
+pub use multipath::{Mirror, Multipath};
 pub use placement::{At, PoseSpec, Rest};
 pub use seabed::{HeightGrid, SeabedSpec};
 
@@ -85,6 +87,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Labelled bodies; body number = index + 1.
     pub bodies: Vec<Body>,
+    /// Level planes that sound bounces off.
+    pub mirrors: Vec<Mirror>,
     /// Names the random patchiness of its surfaces: the same in every frame of a scene.
     pub texture_seed: u64,
 }

@@ -12,6 +12,8 @@ pub(super) struct Cells {
     energy: Vec<f32>,
     /// Solid angle that ends just behind each cell; summed up from the far end, it becomes the open water.
     water: Vec<f32>,
+    /// Energy that came by a mirror, once there is any.
+    ghosts: Option<Vec<f32>>,
     /// Contributions of bodies in the order they came; a cell may appear several times.
     bodies: Vec<BodyEcho>,
     detail: Option<DetailSums>,
@@ -25,6 +27,8 @@ struct Axis {
     bins: u32,
     near: f32,
     per_m: f32,
+    /// Beams that the array turns past a target at 1 m before its echo is back; grows with range.
+    turn_per_m: f32,
 }
 
 /// A piece of surface as the cells see it.
@@ -60,7 +64,8 @@ struct DetailSums {
 }
 
 impl Cells {
-    pub fn new(grid: Grid, keep: Keep) -> Self {
+    /// Empty cells; the array turns by `turn_per_m` beams to port for each metre of slant range.
+    pub fn new(grid: Grid, keep: Keep, turn_per_m: f64) -> Self {
         let zeros = || vec![0.0; grid.len()];
         let detail = keep.detail.then(|| DetailSums {
             elevation: zeros(),
@@ -75,9 +80,11 @@ impl Cells {
                 bins: grid.bins,
                 near: grid.near_m as f32,
                 per_m: (1.0 / grid.bin_m()) as f32,
+                turn_per_m: turn_per_m as f32,
             },
             energy: zeros(),
             water: zeros(),
+            ghosts: None,
             bodies: Vec::new(),
             detail,
             rays: keep.rays.map(|range| (range, Rays::none(grid.len()))),
@@ -104,11 +111,19 @@ impl Cells {
         });
     }
 
+    /// Adds energy that came by a mirror, spread evenly between two ranges.
+    pub fn add_ghost(&mut self, split: Split, energy: f32, ranges: [f32; 2]) {
+        let axis = self.axis;
+        let ghosts = self.ghosts.get_or_insert_with(|| vec![0.0; axis.beams as usize * axis.bins as usize]);
+        axis.spread(split, ranges, energy, |cell, energy| ghosts[cell as usize] += energy);
+    }
+
     /// Adds the solid angle of a ray: water is open as far as `range`, or all the way where nothing is met.
     pub fn add_water(&mut self, split: Split, solid_angle: f32, range: Option<f32>) {
         let open = range.map_or(self.grid.bins as f32, |range| self.axis.bin(range));
         // Up to the last bin that is open from end to end.
         let Some(last) = (open.min(self.grid.bins as f32) as u32).checked_sub(1) else { return };
+        let split = split.moved(-self.axis.turn_per_m * range.unwrap_or(self.grid.far_m as f32));
         for (beam, share) in self.axis.heard_by(split) {
             self.water[(beam * self.grid.bins + last) as usize] += solid_angle * share;
         }
@@ -126,7 +141,7 @@ impl Cells {
         let detail = self.detail.map(|sums| sums.means(&self.energy));
         let bodies = merged(self.bodies);
         let rays = self.rays.map(|(_, rays)| rays);
-        Echoes { grid: self.grid, energy: self.energy, water: self.water, bodies, detail, rays }
+        Echoes { grid: self.grid, energy: self.energy, water: self.water, ghosts: self.ghosts, bodies, detail, rays }
     }
 
     #[inline]
@@ -155,6 +170,7 @@ impl Axis {
             return;
         }
         let (from, to) = (low.max(0.0) as u32, (high.max(0.0) as u32).min(self.bins - 1));
+        let split = split.moved(-self.turn_per_m * 0.5 * (ranges[0] + ranges[1]));
         for (beam, share) in self.heard_by(split) {
             let (row, amount) = (beam * self.bins, amount * share);
             if low >= 0.0 && high as u32 == low as u32 {
@@ -242,7 +258,7 @@ mod tests {
 
     #[test]
     fn a_patch_fills_the_bins_that_it_spans_and_keeps_its_energy() {
-        let mut cells = Cells::new(GRID, Keep::ENERGY);
+        let mut cells = Cells::new(GRID, Keep::ENERGY, 0.0);
         cells.add(&PATCH);
         let echoes = cells.echoes();
         let close = |cell: usize, energy: f32| {
@@ -259,7 +275,7 @@ mod tests {
     #[test]
     fn rays_are_counted_by_the_range_asked_for() {
         let rays = |range| {
-            let mut cells = Cells::new(GRID, Keep { rays: Some(range), ..Keep::ENERGY });
+            let mut cells = Cells::new(GRID, Keep { rays: Some(range), ..Keep::ENERGY }, 0.0);
             cells.add(&PATCH);
             cells.echoes().rays.unwrap()
         };
@@ -274,7 +290,7 @@ mod tests {
 
     #[test]
     fn water_is_open_as_far_as_the_surface() {
-        let mut cells = Cells::new(GRID, Keep::ENERGY);
+        let mut cells = Cells::new(GRID, Keep::ENERGY, 0.0);
         let split = Split { first: 1, share: 1.0 };
         cells.add_water(split, 0.5, Some(1.45));
         cells.add_water(split, 0.25, None);

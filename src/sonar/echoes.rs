@@ -16,6 +16,9 @@ pub struct Echoes {
     /// Solid angle through which open water is seen in each cell, weighted by the two-way vertical pattern, sr: what
     /// volume reverberation is made from. Shadows have none.
     pub water: Vec<f32>,
+    /// Energy of echoes that came by a mirror (sea surface, smooth bottom), where the scene has one. Images show it,
+    /// labels do not count it.
+    pub ghosts: Option<Vec<f32>>,
     /// The part of each cell's energy that labelled bodies gave: sorted by cell, then body, each pair once, energy > 0.
     pub bodies: Vec<BodyEcho>,
     /// Energy-weighted means, where asked for.
@@ -29,7 +32,7 @@ impl Echoes {
     #[must_use]
     pub fn silence(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
-        Self { grid, energy: zeros(), water: zeros(), bodies: Vec::new(), detail: None, rays: None }
+        Self { grid, energy: zeros(), water: zeros(), ghosts: None, bodies: Vec::new(), detail: None, rays: None }
     }
 }
 

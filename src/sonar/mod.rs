@@ -8,6 +8,7 @@ mod deposit;
 pub mod device;
 pub mod echoes;
 pub mod fan;
+mod ghosts;
 pub mod grid;
 pub mod surface;
 pub mod trace;

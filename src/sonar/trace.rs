@@ -3,6 +3,7 @@
 use super::beams::Beams;
 use super::cells::Cells;
 use super::deposit::Ping;
+use super::ghosts::Reflection;
 use super::surface::Surfaces;
 use super::visibility::{Planes, Visibility};
 use super::{Echoes, RayRange, Sonar};
@@ -56,16 +57,22 @@ impl Tracer {
     /// Traces one ping of `scene` from `world_from_sonar`.
     pub fn trace(&mut self, scene: &Scene, world_from_sonar: &Pose, keep: Keep) -> Echoes {
         self.visibility.scan(scene, world_from_sonar);
-        let mut cells = Cells::new(self.sonar.grid(), keep);
+        let mut cells = Cells::new(self.sonar.grid(), keep, self.sonar.turn_beams_per_m());
+        let surfaces = Surfaces::new(scene);
         let ping = Ping {
             planes: &self.visibility.planes,
             beams: &self.beams,
             depth: &self.visibility.depth,
             scene,
-            surfaces: &Surfaces::new(scene),
+            surfaces: &surfaces,
             world_from_sonar,
         };
         ping.deposit(&mut cells);
+        for &mirror in &scene.mirrors {
+            let Self { sonar, beams, visibility } = self;
+            let reflection = Reflection { sonar, beams, scene, surfaces: &surfaces, world_from_sonar, mirror };
+            reflection.deposit(visibility, &mut cells);
+        }
         cells.echoes()
     }
 }
