@@ -22,12 +22,18 @@ pub fn shared(relative: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-/// The rows of one group of the published reference values, or `None` (skipped).
-pub fn reference_rows(group: &str) -> Option<Vec<serde_json::Value>> {
+/// All rows of the published reference values, or `None` (skipped).
+pub fn reference_table() -> Option<Vec<serde_json::Value>> {
     let text = std::fs::read_to_string(shared("physics/reference.json")?).expect("readable");
     let mut all: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let serde_json::Value::Array(rows) = all["rows"].take() else { panic!("rows") };
-    let rows: Vec<_> = rows.into_iter().filter(|row| row["group"] == group).collect();
+    assert!(!rows.is_empty(), "no rows");
+    Some(rows)
+}
+
+/// The rows of one group of the published reference values, or `None` (skipped).
+pub fn reference_rows(group: &str) -> Option<Vec<serde_json::Value>> {
+    let rows: Vec<_> = reference_table()?.into_iter().filter(|row| row["group"] == group).collect();
     assert!(!rows.is_empty(), "no rows of group {group}");
     Some(rows)
 }
