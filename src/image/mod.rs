@@ -3,16 +3,21 @@
 //! Knows nothing of bodies and labels: noise made here cannot reach them.
 
 pub mod display;
-pub mod field;
-pub mod response;
+pub mod physical;
 
 use serde::{Deserialize, Serialize};
 
 pub use display::Display;
+pub use physical::Physical;
+
+use display::Scale;
+use physical::Chain;
 
 use crate::math::Impossible;
+use crate::math::real::power_from_db;
 use crate::math::rng::Stream;
-use crate::physics::{Water, levels};
+use crate::physics::response::pulse_resolution_m;
+use crate::physics::{TurbidWater, levels};
 use crate::sonar::{Echoes, Sonar};
 
 /// How echoes become a picture.
@@ -28,49 +33,73 @@ pub struct ImageModel {
 }
 
 impl ImageModel {
-    /// Refuses gains and displays that show nothing.
+    /// Refuses gains and displays that show nothing, and devices that cannot be.
     ///
     /// # Errors
     /// The first impossible figure, with its key and a remedy.
     pub fn validate(&self) -> Result<(), Impossible> {
         Impossible::outside("tvg_db_per_decade", self.tvg_db_per_decade, 0.0, 80.0)?;
-        Impossible::outside("display.white_db", self.display.white_db, -200.0, 200.0)?;
-        Impossible::outside("display.dynamic_range_db", self.display.dynamic_range_db, 1.0, 200.0)
+        self.display.validate()?;
+        match &self.model {
+            Model::Physical(physical) => physical.validate(),
+        }
     }
 }
 
 /// Chains of image formation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
-    /// Complex Gaussian field, pulse and beam response, thermal noise before gain, log display.
-    Physical,
+    /// Complex Gaussian field, aperture and pulse, noise before gain, log display.
+    Physical(Physical),
+}
+
+/// Whether the receiver's own noise is in an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Noise {
+    /// Thermal noise and ringing.
+    Heard,
+    /// Echoes and reverberation alone, with the same speckle; nothing clips.
+    Silent,
 }
 
 /// What water and receiver do to a ping's echoes: levels from the sonar equation, widths of the response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Channel {
-    /// Absorption, dB/m one way.
+    /// Absorption by water and what is suspended in it, dB/m one way.
     pub absorption_db_per_m: f64,
+    /// Backscattering cross-section of the water's volume, m⁻¹.
+    pub volume_per_m: f64,
     /// Power of the receiver's noise in the unit of the echoes: relative to the source's power at 1 m.
     pub noise_power: f64,
     /// −3 dB width of a receive beam, degrees.
     pub beam_width_deg: f64,
-    /// Length of the pulse after the receiver, metres of slant range.
+    /// Resolution of the pulse, c/2B, metres of slant range.
     pub pulse_m: f64,
+    /// Wavelength, metres.
+    pub wavelength_m: f64,
+    /// Bandwidth, Hz.
+    pub bandwidth_hz: f64,
+    /// Source level, dB re 1 µPa at 1 m.
+    pub source_level_db: f64,
 }
 
 impl Channel {
     /// The channel of a sonar in a water: noise is thermal, in the receiver's band, less the directivity index.
     #[must_use]
-    pub fn new(sonar: &Sonar, water: &Water) -> Self {
+    pub fn new(sonar: &Sonar, water: &TurbidWater) -> Self {
+        let bandwidth_hz = 1000.0 * sonar.bandwidth_khz;
         let spectrum = levels::thermal_noise_db(sonar.frequency_khz);
-        let noise = levels::band_level_db(spectrum, sonar.bandwidth_khz * 1000.0) - sonar.directivity_db;
+        let noise = levels::band_level_db(spectrum, bandwidth_hz) - sonar.directivity_db;
         Self {
             absorption_db_per_m: water.absorption_db_per_m(sonar.frequency_khz),
-            noise_power: crate::math::real::power_from_db(noise - sonar.source_level_db),
+            volume_per_m: water.suspension(sonar.frequency_khz).value.backscatter_per_m,
+            noise_power: power_from_db(noise - sonar.source_level_db),
             beam_width_deg: sonar.beam_width_deg,
-            pulse_m: sonar.pulse_m(),
+            pulse_m: pulse_resolution_m(water.water.sound_speed_m_s(), bandwidth_hz),
+            wavelength_m: water.water.wavelength_m(sonar.frequency_khz),
+            bandwidth_hz,
+            source_level_db: sonar.source_level_db,
         }
     }
 }
@@ -78,12 +107,32 @@ impl Channel {
 /// Forms the grey image of a ping: one byte a cell, in cell order. The stream gives speckle and noise.
 #[must_use]
 pub fn form(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &mut Stream) -> Vec<u8> {
-    match model.model {
-        Model::Physical => {
-            let mut field = field::speckle(echoes, channel.absorption_db_per_m, stream);
-            response::blur(&mut field, &echoes.grid, channel.beam_width_deg, channel.pulse_m);
-            field::add_noise(&mut field, channel.noise_power, stream);
-            display::detect(&field, &echoes.grid, model, channel)
+    match &model.model {
+        Model::Physical(physical) => {
+            let chain = Chain::new(&echoes.grid, physical, model.tvg_db_per_decade, channel, Noise::Heard);
+            let powers = chain.powers(echoes, stream);
+            model.display.grey(&powers, &Scale { gain_db: chain.gain_db(), footprint_m2: chain.footprint_m2() })
+        }
+    }
+}
+
+/// The calibrated linear image of a ping, cell by cell: mean-square pressure at the receiver before gain, µPa², so that
+/// `10·log10` of it is a level in dB re 1 µPa. The same stream gives the same speckle with noise and without.
+///
+/// None for models that know no pressure.
+#[must_use]
+pub fn linear(
+    echoes: &Echoes,
+    model: &ImageModel,
+    channel: &Channel,
+    noise: Noise,
+    stream: &mut Stream,
+) -> Option<Vec<f32>> {
+    match &model.model {
+        Model::Physical(physical) => {
+            let chain = Chain::new(&echoes.grid, physical, model.tvg_db_per_decade, channel, noise);
+            let source = power_from_db(channel.source_level_db) as f32;
+            Some(chain.powers(echoes, stream).into_iter().map(|power| power * source).collect())
         }
     }
 }

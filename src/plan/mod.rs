@@ -17,7 +17,7 @@ pub use error::PlanError;
 pub use header::{Header, Output, Raw, SplitBy, Splits};
 
 use crate::image::ImageModel;
-use crate::physics::Water;
+use crate::physics::TurbidWater;
 use crate::recipe::Draws;
 use crate::scene::SceneSpec;
 use crate::sonar::Sonar;
@@ -81,7 +81,7 @@ pub struct Job {
     /// The sonar.
     pub sonar: Sonar,
     /// The water.
-    pub water: Water,
+    pub water: TurbidWater,
     /// How echoes become a picture.
     pub image: ImageModel,
     /// Where the vehicle goes.

@@ -9,7 +9,7 @@ use crate::catalog::{Pick, sonars};
 use crate::image::ImageModel;
 use crate::label::LabelSettings;
 use crate::math::Impossible;
-use crate::physics::Water;
+use crate::physics::TurbidWater;
 use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
 use crate::scene::{EnvironmentSpec, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
@@ -63,7 +63,7 @@ pub(super) struct Sections {
 /// The sections that may differ from frame to frame.
 pub(super) struct FrameSections {
     pub sonar: Sonar,
-    pub water: Water,
+    pub water: TurbidWater,
     pub image: ImageModel,
     pub trajectory: Trajectory,
     pub drawn: Draws,
@@ -171,7 +171,7 @@ impl Sections {
     pub fn frame(&self, address: &Address) -> Result<FrameSections, recipe::Error> {
         let mut drawn = Draws::new();
         let sonar = self.sonar(address, &mut drawn)?;
-        let water: Water = self.present("water", address, &mut drawn)?;
+        let water: TurbidWater = self.present("water", address, &mut drawn)?;
         water.validate().map_err(|fault| self.impossible("water", &fault))?;
         let image: ImageModel = self.present("image", address, &mut drawn)?;
         image.validate().map_err(|fault| self.impossible("image", &fault))?;
