@@ -6,7 +6,7 @@ use std::time::Duration;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use ensonify::image::display::Scale;
-use ensonify::image::physical::{Array, Chain, Focus, Pulse, Receiver, Ringing};
+use ensonify::image::physical::{Array, Chain, Focus, Pulse, Receiver, Ringing, Setup};
 use ensonify::image::{Channel, Display, ImageModel, Model, Noise, Physical, form};
 use ensonify::label::{LabelSettings, label_fan, label_polar};
 use ensonify::math::fast::fill_complex_normals;
@@ -82,10 +82,14 @@ const PHYSICAL: Physical = Physical {
     },
 };
 
+fn setup(physical: &Physical) -> Setup<'_> {
+    Setup { physical, tvg_db_per_decade: 30.0, noise: Noise::Heard }
+}
+
 /// The steps of an image: tables, draws, field and response, display; then what a fixed focus and long pulses cost.
 fn image_steps(group: &mut BenchmarkGroup<'_, WallTime>, echoes: &Echoes, model: &ImageModel, channel: &Channel) {
     let stream = || Stream::at(1, "bench", 0, "image");
-    let chain = |physical: &Physical| Chain::new(&echoes.grid, physical, 30.0, channel, Noise::Heard);
+    let chain = |physical: &Physical| Chain::new(&echoes.grid, &setup(physical), channel);
     group.bench_function("image: tables", |bench| bench.iter(|| black_box(chain(&PHYSICAL))));
     let mut normals = (vec![0.0; echoes.grid.len()], vec![0.0; echoes.grid.len()]);
     group.bench_function("image: normals alone", |bench| {
@@ -104,7 +108,7 @@ fn image_steps(group: &mut BenchmarkGroup<'_, WallTime>, echoes: &Echoes, model:
         bench.iter(|| black_box(focused.powers(echoes, &mut stream())));
     });
     let long = Channel { pulse_m: 8.0 * channel.pulse_m, bandwidth_hz: channel.bandwidth_hz / 8.0, ..*channel };
-    let long = Chain::new(&echoes.grid, &PHYSICAL, 30.0, &long, Noise::Heard);
+    let long = Chain::new(&echoes.grid, &setup(&PHYSICAL), &long);
     group.bench_function("image: response, pulse of two bins", |bench| {
         bench.iter(|| black_box(long.powers(echoes, &mut stream())));
     });

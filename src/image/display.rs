@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::vectors::{Work, widest};
 use crate::math::Impossible;
 use crate::math::fast::db;
 use crate::math::real::{db_from_power, pow};
@@ -42,18 +43,18 @@ impl Display {
     #[must_use]
     pub fn grey(&self, powers: &[f32], scale: &Scale<'_>) -> Vec<u8> {
         let table = self.table();
-        let steps = table.len() as f32 - 1.0;
-        let steps_per_db = steps / self.dynamic_range_db as f32;
+        let steps_per_db = (table.len() - 1) as f32 / self.dynamic_range_db as f32;
         let black = self.white_db - self.dynamic_range_db;
+        let bins = scale.gain_db.len();
         let gain: Vec<f32> = scale.gain_db.iter().map(|gain| (gain - black) as f32).collect();
-        let mut grey = vec![0u8; powers.len()];
-        let beams = powers.chunks_exact(gain.len()).zip(grey.chunks_exact_mut(gain.len()));
+        let mut grey = vec![0; powers.len()];
+        let (mut offset_db, mut steps) = (vec![0.0; bins], vec![0; bins]);
+        let beams = powers.chunks_exact(bins).zip(grey.chunks_exact_mut(bins));
         for ((powers, grey), footprint) in beams.zip(scale.footprint_m2) {
             let area = db_from_power(*footprint) as f32;
-            for ((power, gain), grey) in powers.iter().zip(&gain).zip(grey) {
-                let above_black = db(power.max(f32::MIN_POSITIVE)) + (gain - area);
-                *grey = table[(above_black * steps_per_db + 0.5).clamp(0.0, steps) as usize];
-            }
+            offset_db.iter_mut().zip(&gain).for_each(|(offset, gain)| *offset = gain - area);
+            widest(ToSteps { powers, offset_db: &offset_db, steps_per_db, last: table.len() - 1, steps: &mut steps });
+            grey.iter_mut().zip(&steps).for_each(|(grey, &step)| *grey = table[step as usize]);
         }
         grey
     }
@@ -63,6 +64,26 @@ impl Display {
         const STEPS: u32 = 4080;
         let grey = |step: u32| 255.0 * pow(f64::from(step) / f64::from(STEPS), self.gamma) + 0.5;
         (0..=STEPS).map(|step| grey(step) as u8).collect()
+    }
+}
+
+/// Powers of a beam to steps of the table.
+struct ToSteps<'a> {
+    powers: &'a [f32],
+    offset_db: &'a [f32],
+    steps_per_db: f32,
+    last: usize,
+    steps: &'a mut [i32],
+}
+
+impl Work for ToSteps<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let last = self.last as f32;
+        for ((power, offset), step) in self.powers.iter().zip(self.offset_db).zip(self.steps) {
+            let above_black = db(power.max(f32::MIN_POSITIVE)) + offset;
+            *step = (above_black * self.steps_per_db + 0.5).max(0.0).min(last) as i32;
+        }
     }
 }
 

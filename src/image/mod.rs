@@ -4,6 +4,7 @@
 
 pub mod display;
 pub mod physical;
+mod vectors;
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,7 @@ pub use display::Display;
 pub use physical::Physical;
 
 use display::Scale;
-use physical::Chain;
+use physical::{Chain, Setup};
 
 use crate::math::Impossible;
 use crate::math::real::power_from_db;
@@ -43,6 +44,10 @@ impl ImageModel {
         match &self.model {
             Model::Physical(physical) => physical.validate(),
         }
+    }
+
+    fn setup<'a>(&self, physical: &'a Physical, noise: Noise) -> Setup<'a> {
+        Setup { physical, tvg_db_per_decade: self.tvg_db_per_decade, noise }
     }
 }
 
@@ -109,30 +114,35 @@ impl Channel {
 pub fn form(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &mut Stream) -> Vec<u8> {
     match &model.model {
         Model::Physical(physical) => {
-            let chain = Chain::new(&echoes.grid, physical, model.tvg_db_per_decade, channel, Noise::Heard);
+            let chain = Chain::new(&echoes.grid, &model.setup(physical, Noise::Heard), channel);
             let powers = chain.powers(echoes, stream);
             model.display.grey(&powers, &Scale { gain_db: chain.gain_db(), footprint_m2: chain.footprint_m2() })
         }
     }
 }
 
-/// The calibrated linear image of a ping, cell by cell: mean-square pressure at the receiver before gain, µPa², so that
-/// `10·log10` of it is a level in dB re 1 µPa. The same stream gives the same speckle with noise and without.
-///
-/// None for models that know no pressure.
+/// A ping's linear image, cell by cell: mean-square pressure at the receiver before gain, µPa². `10·log10` of it is a level
+/// in dB re 1 µPa.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linear {
+    /// Echoes and reverberation alone; nothing clips.
+    pub noise_free: Vec<f32>,
+    /// The same with the receiver's noise: what the grey image shows.
+    pub noisy: Vec<f32>,
+}
+
+/// The calibrated linear image of a ping; none for models that know no pressure. A stream like that of [`form`] gives the
+/// same speckle and noise.
 #[must_use]
-pub fn linear(
-    echoes: &Echoes,
-    model: &ImageModel,
-    channel: &Channel,
-    noise: Noise,
-    stream: &mut Stream,
-) -> Option<Vec<f32>> {
+pub fn linear(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &Stream) -> Option<Linear> {
     match &model.model {
         Model::Physical(physical) => {
-            let chain = Chain::new(&echoes.grid, physical, model.tvg_db_per_decade, channel, noise);
             let source = power_from_db(channel.source_level_db) as f32;
-            Some(chain.powers(echoes, stream).into_iter().map(|power| power * source).collect())
+            let of = |noise| {
+                let chain = Chain::new(&echoes.grid, &model.setup(physical, noise), channel);
+                chain.powers(echoes, &mut stream.clone()).into_iter().map(|power| power * source).collect()
+            };
+            Some(Linear { noise_free: of(Noise::Silent), noisy: of(Noise::Heard) })
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::math::real::{radians, sin};
 use crate::sonar::Grid;
 
 /// Taps of the interpolation between directions.
-pub(super) const TAPS: usize = 4;
+pub(super) const TAPS: usize = 6;
 
 /// Beams ↔ directions.
 #[derive(Clone, Debug)]

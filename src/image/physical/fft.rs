@@ -149,8 +149,8 @@ fn quarters(all: &mut [f32], len: usize) -> [&mut [f32]; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vectors::{Work, widest};
     use super::*;
+    use crate::image::vectors::{Work, widest};
     use crate::math::fast::fill_complex_normals;
     use crate::math::rng::Stream;
 

@@ -11,7 +11,6 @@ mod receiver;
 mod response;
 #[cfg(test)]
 mod tests;
-mod vectors;
 
 use serde::{Deserialize, Serialize};
 
@@ -53,6 +52,17 @@ impl Physical {
     }
 }
 
+/// A device as it is set for a ping.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup<'a> {
+    /// The device.
+    pub physical: &'a Physical,
+    /// Slope of the time-varied gain, dB per decade of range.
+    pub tvg_db_per_decade: f64,
+    /// Whether the receiver's noise is heard.
+    pub noise: Noise,
+}
+
 /// A device in a water, its tables ready for pings of one grid.
 #[derive(Clone, Debug)]
 pub struct Chain {
@@ -64,10 +74,10 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// Makes the tables. `tvg_db_per_decade` is the slope of the gain, `noise` whether the receiver's noise is heard.
+    /// Makes the tables.
     #[must_use]
-    pub fn new(grid: &Grid, physical: &Physical, tvg_db_per_decade: f64, channel: &Channel, noise: Noise) -> Self {
-        let Physical { array, pulse, receiver } = physical;
+    pub fn new(grid: &Grid, setup: &Setup<'_>, channel: &Channel) -> Self {
+        let Setup { physical: Physical { array, pulse, receiver }, tvg_db_per_decade, noise } = *setup;
         let needs = Needs { beam_width_deg: channel.beam_width_deg, azimuth_deg: grid.azimuth_deg };
         let aperture = Aperture::new(&array.shading, needs);
         let tables = BeamTables::new(grid, &aperture, array);

@@ -8,8 +8,8 @@ use super::beams::{BeamTables, TAPS};
 use super::fft::{Fft, Rows};
 use super::pulse::Sampled;
 use super::receiver::Levels;
-use super::vectors::{Work, widest};
 use crate::image::Channel;
+use crate::image::vectors::{Work, widest};
 use crate::math::fast::{fill_complex_normals, sin_cos_turn};
 use crate::math::rng::Stream;
 use crate::sonar::{Echoes, Grid};
@@ -72,6 +72,11 @@ impl Response {
         let mean = coverage.iter().map(|covered| (1.0 / (covered * f64::from(pulse.looks))) as f32).collect();
         let fft = Fft::new(aperture.directions);
         Self { grid, tables, pulse, levels, fft, elements, defocus, clip, mean }
+    }
+
+    #[cfg(test)]
+    pub fn tables(&self) -> &BeamTables {
+        &self.tables
     }
 
     /// Powers of one ping in each cell, relative to the source's at 1 m.
@@ -257,18 +262,21 @@ struct Mix<'a> {
 impl Mix<'_> {
     #[inline(always)]
     fn add_power(&self, mean: &[f32], powers: &mut [f32]) {
-        let width = powers.len();
-        let row = |tap: usize| (self.first + tap) % self.count * width;
-        let part = |values: &'_ [f32], i: usize| -> f32 {
-            let mut sum = self.taps[0] * values[row(0) + i];
-            for tap in 1..TAPS {
-                sum += self.taps[tap] * values[row(tap) + i];
-            }
-            sum
-        };
-        for i in 0..width {
-            let (re, im) = (part(&self.rows.re, i), part(&self.rows.im, i));
-            powers[i] += (re * re + im * im) * mean[i];
+        let (re, im) = (self.mixed(&self.rows.re, powers.len()), self.mixed(&self.rows.im, powers.len()));
+        for (((power, mean), re), im) in powers.iter_mut().zip(mean).zip(&re).zip(&im) {
+            *power += (re * re + im * im) * mean;
         }
+    }
+
+    #[inline(always)]
+    fn mixed(&self, values: &[f32], width: usize) -> [f32; BLOCK] {
+        let mut sum = [0.0; BLOCK];
+        for (tap, weight) in self.taps.iter().enumerate() {
+            let row = (self.first + tap) % self.count * width;
+            for (sum, value) in sum.iter_mut().zip(&values[row..row + width]) {
+                *sum += weight * value;
+            }
+        }
+        sum
     }
 }

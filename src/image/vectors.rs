@@ -10,6 +10,10 @@ pub(super) trait Work {
 
 /// Does `work` with the widest vectors that this CPU has.
 pub(super) fn widest(work: impl Work) {
+    #[cfg(test)]
+    if tests::are_vectors_narrow() {
+        return work.run();
+    }
     #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("avx2") {
         // SAFETY: the CPU has AVX2.
@@ -22,4 +26,25 @@ pub(super) fn widest(work: impl Work) {
 #[target_feature(enable = "avx2")]
 fn with_avx2(work: impl Work) {
     work.run();
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use std::cell::Cell;
+
+    thread_local! {
+        static NARROW: Cell<bool> = const { Cell::new(false) };
+    }
+
+    pub(super) fn are_vectors_narrow() -> bool {
+        NARROW.get()
+    }
+
+    /// What `make` makes with the vectors that every CPU has.
+    pub fn narrow<T>(make: impl FnOnce() -> T) -> T {
+        NARROW.set(true);
+        let made = make();
+        NARROW.set(false);
+        made
+    }
 }
