@@ -67,7 +67,6 @@ impl TurbidWater {
     }
 
     /// What the load does to sound of a frequency, beside the water's own absorption.
-    #[must_use]
     pub fn suspension(&self, frequency_khz: f64) -> Stated<Suspension> {
         self.turbidity.grains().acoustics(&Carrier::of(&self.water), 1000.0 * frequency_khz)
     }

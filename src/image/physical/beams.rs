@@ -53,11 +53,11 @@ fn shares(grid: &Grid, aperture: &Aperture) -> Vec<Vec<(usize, f32)>> {
         let bearing = grid.bearing_rad(beam);
         // Direction i is the stretch from i − ½ to i + ½.
         let [low, high] = [bearing - half, bearing + half].map(|edge| aperture.place(sin(edge)) + 0.5);
-        let last = aperture.directions - 1;
-        for direction in low.max(0.0) as usize..=(high.max(0.0) as usize).min(last) {
+        let span = low.max(0.0) as usize..(high.max(0.0).ceil() as usize).min(aperture.directions);
+        for (direction, heard) in span.clone().zip(&mut heard[span]) {
             let (from, to) = (low.max(direction as f64), high.min(direction as f64 + 1.0));
             if to > from {
-                heard[direction].push((beam as usize, ((to - from) / (high - low)) as f32));
+                heard.push((beam as usize, ((to - from) / (high - low)) as f32));
             }
         }
     }
@@ -124,9 +124,8 @@ fn solve(matrix: &[[f64; TAPS]; TAPS], right: &[f64; TAPS], ridge: f64) -> [f64;
     for pivot in 0..TAPS {
         for row in pivot + 1..TAPS {
             let times = m[row][pivot] / m[pivot][pivot];
-            for column in pivot..TAPS {
-                m[row][column] -= times * m[pivot][column];
-            }
+            let above = m[pivot];
+            m[row].iter_mut().zip(above).skip(pivot).for_each(|(here, above)| *here -= times * above);
             x[row] -= times * x[pivot];
         }
     }

@@ -225,12 +225,11 @@ impl Work for ToBeams<'_> {
 /// Clips each quadrature of a signal and multiplies with a complex weight.
 #[inline(always)]
 fn weigh(signal: (&[f32], &[f32]), clip: &[f32], (wr, wi): (f32, f32), to: (&mut [f32], &mut [f32])) {
-    for i in 0..clip.len() {
-        let limit = clip[i];
-        let re = signal.0[i].max(-limit).min(limit);
-        let im = signal.1[i].max(-limit).min(limit);
-        to.0[i] = re * wr - im * wi;
-        to.1[i] = re * wi + im * wr;
+    let to = to.0.iter_mut().zip(to.1);
+    for ((to, limit), (re, im)) in to.zip(clip).zip(signal.0.iter().zip(signal.1)) {
+        let (re, im) = (re.max(-limit).min(*limit), im.max(-limit).min(*limit));
+        *to.0 = re * wr - im * wi;
+        *to.1 = re * wi + im * wr;
     }
 }
 

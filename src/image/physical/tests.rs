@@ -403,7 +403,7 @@ fn everything() -> Vec<u8> {
         display: Display { white_db: 10.0, dynamic_range_db: 90.0, gamma: 1.2 },
     };
     let channel = Channel { noise_power: 1e-12, volume_per_m: 1e-6, absorption_db_per_m: 0.3, ..CHANNEL };
-    let energy = |cell: usize| 1e-6 * (1 + cell % 17) as f32 * if cell % 701 == 0 { 1e4 } else { 1.0 };
+    let energy = |cell: usize| 1e-6 * (1 + cell % 17) as f32 * if cell.is_multiple_of(701) { 1e4 } else { 1.0 };
     let echoes = Echoes {
         energy: (0..grid.len()).map(energy).collect(),
         water: vec![1e-4; grid.len()],
