@@ -64,8 +64,8 @@ fn stages(criterion: &mut Criterion) {
 const PHYSICAL: Physical = Physical {
     array: Array {
         shading: Shading::Taylor { side_lobe_db: 25.0, near: 4 },
-        gain_error_db: 0.5,
-        phase_error_deg: 3.0,
+        gain_error_db: 1.0,
+        phase_error_deg: 5.0,
         ripple_db: 0.75,
         focus: Focus::Dynamic,
         transmit_width_deg: None,
@@ -74,6 +74,7 @@ const PHYSICAL: Physical = Physical {
     pulse: Pulse::Chirp { duration_ms: 0.1, window: PulseWindow::Hamming },
     receiver: Receiver {
         most_looks: 1,
+        noise_figure_db: 5.0,
         blanking_m: 0.1,
         ringing: Ringing { level_db: 170.0, decay_db_per_m: 100.0 },
         max_gain_db: 80.0,

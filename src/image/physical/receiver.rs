@@ -17,6 +17,8 @@ use crate::sonar::Grid;
 pub struct Receiver {
     /// Looks averaged in a bin that is longer than the pulse, at most; 1 for a receiver that keeps one sample a bin.
     pub most_looks: u32,
+    /// Noise of the electronics: how far it lifts the noise above the thermal noise of the water, dB.
+    pub noise_figure_db: f64,
     /// Slant range up to which the receiver is off, metres.
     pub blanking_m: f64,
     /// The transducer's ringing after the pulse.
@@ -46,7 +48,7 @@ pub(super) struct Levels {
     pub echo: Vec<f32>,
     /// Power of volume reverberation for each steradian of open water.
     pub volume: Vec<f32>,
-    /// Power of thermal noise and ringing in each direction.
+    /// Power of noise and ringing in each direction.
     pub noise: Vec<f32>,
     /// Power of a quadrature of one element's noise that fills the converter; infinite without noise.
     pub full_scale: Vec<f64>,
@@ -59,6 +61,7 @@ impl Receiver {
     /// The first impossible figure, with its key.
     pub(super) fn validate(&self) -> Result<(), Impossible> {
         Impossible::outside("model.physical.receiver.most_looks", f64::from(self.most_looks), 1.0, 64.0)?;
+        Impossible::outside("model.physical.receiver.noise_figure_db", self.noise_figure_db, 0.0, 60.0)?;
         Impossible::outside("model.physical.receiver.blanking_m", self.blanking_m, 0.0, 1000.0)?;
         Impossible::outside("model.physical.receiver.ringing.level_db", self.ringing.level_db, -200.0, 260.0)?;
         Impossible::outside("model.physical.receiver.ringing.decay_db_per_m", self.ringing.decay_db_per_m, 0.0, 1e6)?;
@@ -76,20 +79,20 @@ impl Receiver {
         if self.gain_step_db > 0.0 { (gain / self.gain_step_db).floor() * self.gain_step_db } else { gain }
     }
 
-    /// Power of thermal noise in each direction, relative to the source's, behind the pulse's filter.
-    pub(super) fn thermal(pulse: &Pulse, channel: &Channel) -> f64 {
-        channel.noise_power * pulse.noise_gain(channel.bandwidth_hz)
+    /// Power of thermal and electronic noise in each direction, relative to the source's, behind the pulse's filter.
+    pub(super) fn steady_noise(&self, pulse: &Pulse, channel: &Channel) -> f64 {
+        channel.noise_power * pulse.noise_gain(channel.bandwidth_hz) * power_from_db(self.noise_figure_db)
     }
 
     /// The levels on a grid. `cell_gain` is the power of an even field over its energy in a cell of one direction and bin.
     pub(super) fn levels(&self, grid: &Grid, channel: &Channel, given: &Given<'_>) -> Levels {
         let mut levels = Levels { echo: vec![], volume: vec![], noise: vec![], full_scale: vec![] };
-        let thermal = Self::thermal(given.pulse, channel);
+        let steady = self.steady_noise(given.pulse, channel);
         for bin in 0..grid.bins {
             let range = grid.range_m(bin);
             let on = if range < self.blanking_m { 0.0 } else { 1.0 };
             let noise = match given.noise {
-                Noise::Heard => on * (thermal + self.ringing_power(range, channel.source_level_db)),
+                Noise::Heard => on * (steady + self.ringing_power(range, channel.source_level_db)),
                 Noise::Silent => 0.0,
             };
             let echo = on * given.cell_gain * power_from_db(-2.0 * channel.absorption_db_per_m * range);
@@ -98,7 +101,7 @@ impl Receiver {
             levels.noise.push(noise as f32);
             let gain = self.gain_db(given.tvg_db_per_decade, channel.absorption_db_per_m, range);
             levels.full_scale.push(match given.noise {
-                Noise::Heard => 0.5 * thermal * power_from_db(self.full_scale_db + self.max_gain_db - gain),
+                Noise::Heard => 0.5 * steady * power_from_db(self.full_scale_db + self.max_gain_db - gain),
                 Noise::Silent => f64::INFINITY,
             });
         }
@@ -138,6 +141,7 @@ mod tests {
 
     const RECEIVER: Receiver = Receiver {
         most_looks: 1,
+        noise_figure_db: 0.0,
         blanking_m: 0.6,
         ringing: Ringing { level_db: 150.0, decay_db_per_m: 40.0 },
         max_gain_db: 60.0,
@@ -178,6 +182,8 @@ mod tests {
         // 1 m of range is 10 bins: 40 dB less.
         assert!((ringing(5) - ringing(15) - 40.0).abs() < 1e-3);
         assert!((f64::from(levels.noise[99]) / 1e-14 - 1.0).abs() < 1e-3);
+        let loud = Receiver { noise_figure_db: 10.0, ..RECEIVER };
+        assert!((loud.steady_noise(&Pulse::Tone, &CHANNEL) / 1e-13 - 1.0).abs() < 1e-9);
         assert!(self::levels(Noise::Silent).noise.iter().all(|&noise| noise == 0.0));
     }
 

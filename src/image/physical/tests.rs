@@ -24,6 +24,7 @@ const PERFECT: Array = Array {
 };
 const QUIET: Receiver = Receiver {
     most_looks: 1,
+    noise_figure_db: 0.0,
     blanking_m: 0.0,
     ringing: Ringing { level_db: -200.0, decay_db_per_m: 0.0 },
     max_gain_db: 100.0,
@@ -390,6 +391,7 @@ fn everything() -> Vec<u8> {
         pulse: Pulse::Chirp { duration_ms: 0.1, window: PulseWindow::Hamming },
         receiver: Receiver {
             most_looks: 2,
+            noise_figure_db: 0.0,
             blanking_m: 0.6,
             ringing: Ringing { level_db: 150.0, decay_db_per_m: 80.0 },
             max_gain_db: 40.0,
