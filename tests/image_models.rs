@@ -6,6 +6,7 @@ use std::fs;
 
 use ensonify::image::{DeepSonar, ImageModel};
 use ensonify::physics::Water;
+use ensonify::recipe::Recipe;
 use ensonify::sonar::{Echoes, Keep, RayRange, Sonar, Tracer};
 use glam::Vec3;
 use support::cli::{Desk, messages, small_recipe};
@@ -130,18 +131,13 @@ fn a_wrong_parameter_is_refused_where_it_stands() {
 
 #[test]
 fn a_model_asks_for_the_rays_that_it_needs() {
-    let model = |yaml: &str| serde_json::from_str::<ImageModel>(yaml).expect("a model").rays();
-    let with = |model: &str| {
-        format!(
-            r#"{{"model": {model}, "tvg_db_per_decade": 30, "display": {{"white_db": 5, "dynamic_range_db": 65}}}}"#
-        )
+    let rays = |model: &str| {
+        let recipe = Recipe::parse("a.yaml", &format!("image: {{model: {model}}}")).expect("YAML");
+        let image: ImageModel = recipe.completed().section("image").expect("a model").expect("there");
+        image.rays()
     };
-    let deepsonar = |as_printed: bool| {
-        with(&format!(
-            r#"{{"deepsonar": {{"as_printed": {as_printed}, "speckle_sigma": 1, "noise_sigma": 0, "white": 1}}}}"#
-        ))
-    };
-    assert_eq!(model(&with(r#""physical""#)), None);
-    assert_eq!(model(&deepsonar(false)), Some(RayRange::Slant));
-    assert_eq!(model(&deepsonar(true)), Some(RayRange::Horizontal));
+    assert_eq!(rays("physical"), None);
+    assert_eq!(rays("deepsonar"), Some(RayRange::Slant));
+    assert_eq!(rays("{deepsonar: {as_printed: true}}"), Some(RayRange::Horizontal));
+    assert_eq!(rays("holoocean"), Some(RayRange::Slant));
 }

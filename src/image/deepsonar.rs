@@ -111,6 +111,10 @@ mod tests {
     const GRID: Grid = Grid { beams: 400, bins: 100, azimuth_deg: 100.0, near_m: 0.5, far_m: 20.5 };
     const QUIET: DeepSonar = DeepSonar { as_printed: false, speckle_sigma: 0.0, noise_sigma: 0.0, white: 1.0 };
     const CHANNEL: Channel = Channel {
+        volume_per_m: 0.0,
+        wavelength_m: 1.66e-3,
+        bandwidth_hz: 1e5,
+        source_level_db: 210.0,
         absorption_db_per_m: 0.0,
         noise_power: 0.0,
         beam_width_deg: 0.5,

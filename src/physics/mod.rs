@@ -27,10 +27,12 @@ pub mod sound_speed;
 mod stated;
 pub mod statistics;
 pub mod target;
+pub mod turbid_water;
 pub mod turbidity;
 pub mod water;
 
 pub use report::WaterReport;
 pub use stated::{Outside, Stated};
+pub use turbid_water::{Load, TurbidWater};
 pub use turbidity::Turbidity;
 pub use water::{SpeedEquation, Water};

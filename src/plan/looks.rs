@@ -6,7 +6,7 @@
 use super::Look;
 use crate::image::ImageModel;
 use crate::math::Impossible;
-use crate::physics::Water;
+use crate::physics::TurbidWater;
 use crate::recipe::{self, Address, Draws, Level, Node, Recipe, Tree};
 
 /// Sections that a look may change: what comes after the echoes.
@@ -83,7 +83,7 @@ impl LookTree {
             }));
             Ok::<Node, recipe::Error>(node)
         };
-        let water: Water = section("water")?.to("water")?;
+        let water: TurbidWater = section("water")?.to("water")?;
         let image: ImageModel = section("image")?.to("image")?;
         water.validate().map_err(|fault| impossible(&self.tree, "water", &fault))?;
         image.validate().map_err(|fault| impossible(&self.tree, "image", &fault))?;

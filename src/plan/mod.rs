@@ -18,7 +18,7 @@ pub use error::PlanError;
 pub use header::{Header, Output, Raw, SplitBy, Splits};
 
 use crate::image::ImageModel;
-use crate::physics::Water;
+use crate::physics::TurbidWater;
 use crate::recipe::Draws;
 use crate::scene::SceneSpec;
 use crate::sonar::Sonar;
@@ -74,7 +74,7 @@ pub struct Look {
     /// Its name in file names and tables; none where a recipe has no `looks`.
     pub name: Option<String>,
     /// The water.
-    pub water: Water,
+    pub water: TurbidWater,
     /// How echoes become a picture.
     pub image: ImageModel,
 }

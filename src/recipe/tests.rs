@@ -1,5 +1,3 @@
-use std::collections::BTreeMap;
-
 use super::*;
 
 #[test]
@@ -13,9 +11,9 @@ fn a_recipe_goes_all_the_way() {
     assert_eq!(tree.section::<u32>("nothing"), Ok(None));
     let address = Address { seed: 1, scene: 0, level: Level::Scene };
     let water = tree.at("water").unwrap().draw("water", &address).unwrap();
-    let water: BTreeMap<String, f64> = water.to("water").unwrap();
-    assert!((4.0..22.0).contains(&water["temperature_c"]));
-    assert_eq!((water["depth_m"], water["ph"]), (20.0, 8.0));
+    let number = |key| water.at(key).unwrap().number();
+    assert!((4.0..22.0).contains(&number("temperature_c").unwrap()));
+    assert_eq!((number("depth_m"), number("ph")), (Some(20.0), Some(8.0)));
     let shape = tree.at("seabed.shape").unwrap().draw("seabed.shape", &address).unwrap();
     assert_eq!(shape.at("ripples.height_m").unwrap().number(), Some(0.04));
     let instance = Address { level: Level::Instance(2), ..address };
