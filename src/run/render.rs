@@ -76,7 +76,7 @@ impl Renderer {
             }
         };
         let pictures: Vec<Picture> = header.output.views.iter().map(view).collect();
-        let raw = echoes.detail.is_some().then(|| raw(&echoes, header));
+        let raw = echoes.detail.is_some().then(|| raw(&echoes, header, job));
         Frame { world_from_sonar, pictures, raw }
     }
 
@@ -88,27 +88,38 @@ impl Renderer {
     }
 }
 
-/// The grey cells of one look. All looks of a frame share their random draws: the same scatterers under other conditions.
+/// The grey cells of one look.
 fn grey(header: &Header, job: &Job, look: &Look, echoes: &Echoes) -> Vec<u8> {
     let channel = Channel::new(&job.sonar, &look.water);
-    let mut stream = Stream::at(header.seed, "frame", job.id, "image");
-    image::form(echoes, &look.image, &channel, &mut stream)
+    image::form(echoes, &look.image, &channel, &mut image_stream(header, job))
+}
+
+/// What speckle and noise of a frame are drawn from. All looks share it: the same scatterers under other conditions.
+fn image_stream(header: &Header, job: &Job) -> Stream {
+    Stream::at(header.seed, "frame", job.id, "image")
 }
 
 fn fan(grid: &Grid, header: &Header) -> (Grid, FanMap) {
     (*grid, FanMap::new(grid, header.output.fan_height_px))
 }
 
-/// The linear image, in the orientation of the polar view.
-fn raw(echoes: &Echoes, header: &Header) -> RawImage {
+/// The linear image, in the orientation of the polar view; received levels are those of the first look.
+fn raw(echoes: &Echoes, header: &Header, job: &Job) -> RawImage {
     let grid = &echoes.grid;
     let detail = echoes.detail.as_ref();
     let plane = |values: Option<&Vec<f32>>| values.map_or_else(Vec::new, |values| grid.to_polar_image(values));
     let wide = |values: &[u16]| values.iter().map(|&value| u32::from(value)).collect();
+    let levels = job.looks.first().and_then(|look| {
+        let channel = Channel::new(&job.sonar, &look.water);
+        image::linear(echoes, &look.image, &channel, &image_stream(header, job))
+    });
+    let (echo, received) = levels.map(|levels| (levels.noise_free, levels.noisy)).unzip();
     RawImage {
         width: grid.beams,
         height: grid.bins,
         intensity: grid.to_polar_image(&echoes.energy),
+        echo: echo.map(|cells| grid.to_polar_image(&cells)),
+        received: received.map(|cells| grid.to_polar_image(&cells)),
         elevation: plane(detail.map(|detail| &detail.elevation_rad)),
         incidence: plane(detail.map(|detail| &detail.incidence_rad)),
         instance: wide(&label_polar(echoes, &header.labels).mask),

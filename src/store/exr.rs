@@ -16,6 +16,11 @@ pub struct RawImage {
     pub height: u32,
     /// Echo energy, 1/m² (see [`Echoes::energy`](crate::sonar::Echoes::energy)).
     pub intensity: Vec<f32>,
+    /// Mean-square pressure at the receiver before gain, µPa², echoes and reverberation alone: `10·log10` of it is a level in
+    /// dB re 1 µPa. None from image models that know no pressure.
+    pub echo: Option<Vec<f32>>,
+    /// The same with the receiver's noise, as the image shows it.
+    pub received: Option<Vec<f32>>,
     /// Mean elevation angle, radians.
     pub elevation: Vec<f32>,
     /// Mean angle of incidence, radians.
@@ -26,22 +31,26 @@ pub struct RawImage {
     pub material: Vec<u32>,
 }
 
-/// The bytes of an EXR file with the channels `elevation`, `incidence`, `instance`, `intensity` and `material`.
+/// The bytes of an EXR file with the channels `elevation`, `incidence`, `instance`, `intensity`, `material` and, where there
+/// are any, `echo` and `received`.
 ///
 /// # Panics
 /// If a plane has another length than `width · height`, or none at all.
 #[must_use]
 pub fn encode(raw: RawImage) -> Vec<u8> {
     let pixels = raw.width as usize * raw.height as usize;
-    let channels = [
+    let planes = [
         ("elevation", FlatSamples::F32(raw.elevation)),
         ("incidence", FlatSamples::F32(raw.incidence)),
         ("instance", FlatSamples::U32(raw.instance)),
         ("intensity", FlatSamples::F32(raw.intensity)),
         ("material", FlatSamples::U32(raw.material)),
     ];
-    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = channels
+    let levels = [("echo", raw.echo), ("received", raw.received)];
+    let levels = levels.into_iter().filter_map(|(name, plane)| Some((name, FlatSamples::F32(plane?))));
+    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = planes
         .into_iter()
+        .chain(levels)
         .map(|(name, samples)| {
             assert_eq!(samples.len(), pixels, "plane {name} has the size of the image");
             AnyChannel::new(name, samples)
@@ -54,7 +63,7 @@ pub fn encode(raw: RawImage) -> Vec<u8> {
     };
     let size = Vec2(raw.width as usize, raw.height as usize);
     let image = Image::from_encoded_channels(size, encoding, AnyChannels::sort(channels));
-    let mut bytes = Cursor::new(Vec::with_capacity(pixels * 20 + raw.height as usize * 16 + 1024));
+    let mut bytes = Cursor::new(Vec::with_capacity(pixels * 28 + raw.height as usize * 16 + 1024));
     image
         .write()
         .non_parallel()
@@ -76,6 +85,8 @@ mod tests {
             width: 5,
             height: 7,
             intensity: plane(1e-7),
+            echo: Some(plane(1e6)),
+            received: None,
             elevation: plane(-0.01),
             incidence: plane(0.04),
             instance: (0..35).map(|i| i * 2000).collect(),
@@ -93,6 +104,7 @@ mod tests {
         assert_eq!(
             channels,
             [
+                ("echo".to_owned(), FlatSamples::F32(raw.echo.unwrap())),
                 ("elevation".to_owned(), FlatSamples::F32(raw.elevation)),
                 ("incidence".to_owned(), FlatSamples::F32(raw.incidence)),
                 ("instance".to_owned(), FlatSamples::U32(raw.instance)),
