@@ -1,12 +1,18 @@
 //! `ensonify check`: everything that `run` would refuse, before anything is rendered.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use clap::Args;
 
 use super::{Code, RecipeArgs};
-use crate::plan::Splits;
+use crate::image::Channel;
+use crate::image::reach::REACH_SEABED_DB;
+use crate::physics::absorption::francois_garrison;
+use crate::plan::{Plan, Splits};
 use crate::run::World;
+
+/// Most notes on acoustics.
+const MOST_NOTES: usize = 8;
 
 /// Checks a recipe without rendering anything
 ///
@@ -44,9 +50,37 @@ impl Check {
                 eprintln!("note: no scene falls into the split {name}; more scenes fill it");
             }
         }
+        for note in acoustic_notes(plan) {
+            eprintln!("note: {note}");
+        }
         for dropped in &world.built().dropped {
             eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
         }
         Ok(Code::Done)
     }
+}
+
+/// What an acoustician would say of a plan's sonars and waters; each thing once.
+fn acoustic_notes(plan: &Plan) -> BTreeSet<String> {
+    let mut notes = BTreeSet::new();
+    for job in &plan.jobs {
+        let (sonar, far) = (&job.sonar, job.sonar.range_m[1]);
+        let name = sonar.device.as_deref().unwrap_or("the sonar");
+        for look in &job.looks {
+            let reach = Channel::new(sonar, &look.water).reach_m();
+            if far > reach {
+                notes.insert(format!(
+                    "{name} hears a seabed of {REACH_SEABED_DB} dB only to about {reach:.0} m: beyond it, up to its range_m of \
+                     {far} m, images show noise"
+                ));
+            }
+            for outside in francois_garrison(sonar.frequency_khz, &look.water.water).outside {
+                notes.insert(format!("absorption is carried beyond its stated range: {outside}"));
+            }
+        }
+        if notes.len() >= MOST_NOTES {
+            break;
+        }
+    }
+    notes
 }

@@ -7,6 +7,7 @@ pub mod display;
 pub mod holoocean;
 pub mod linear;
 pub mod physical;
+pub mod reach;
 mod vectors;
 
 use serde::{Deserialize, Serialize};

@@ -13,7 +13,7 @@ pub mod lambert;
 pub mod levels;
 pub mod motion;
 pub mod noise;
-mod numeric;
+pub(crate) mod numeric;
 pub mod reflection;
 pub mod report;
 mod report_text;
