@@ -71,6 +71,15 @@ fn a_missing_catalog_or_model() {
 }
 
 #[test]
+fn looks_that_cannot_be() {
+    refused(("seed: 5", "seed: 5\nlooks: []"), "4:8", &["looks"]);
+    refused(("seed: 5", "seed: 5\nlooks: [{name: a}, {name: a}]"), "4:", &["two looks `a`"]);
+    refused(("seed: 5", "seed: 5\nlooks: [{name: a/b}]"), "4:", &["a/b"]);
+    refused(("seed: 5", "seed: 5\nlooks: [{name: a, watr: {}}]"), "4:", &["watr", "water"]);
+    refused(("seed: 5", "seed: 5\nlooks: [{name: a, water: {ph: 20}}]"), "4:", &["20"]);
+}
+
+#[test]
 fn yaml_that_is_none() {
     refused(("seed: 5", "seed: 5\nseed: 6"), "4:1", &["seed"]);
     refused(("scenes: 1", "scenes: [1"), "", &[]);

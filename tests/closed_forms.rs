@@ -105,6 +105,36 @@ fn lambert_bodies_return_the_energy_of_the_table() {
     }
 }
 
+/// A round plate facing the sonar, `distance` ahead.
+fn disc(distance: f32, radius: f32) -> ensonify::catalog::Part {
+    let rim = (0..360).map(|degree| {
+        let angle = (degree as f32).to_radians();
+        Vec3::new(distance, radius * angle.cos(), radius * angle.sin())
+    });
+    let positions = std::iter::once(Vec3::new(distance, 0.0, 0.0)).chain(rim).collect();
+    support::part(positions, (0..360).map(|i| [0, 1 + i, 1 + (i + 1) % 360]).collect())
+}
+
+#[test]
+fn a_disc_facing_the_sonar_returns_its_area_over_the_fourth_power_of_range() {
+    let energy = |distance: f32| {
+        let scene = Builder::new().body(disc(distance, 0.2)).scene();
+        let sonar = Sonar { elevation_deg: 20.0, elevations: 2001, ..sonar(800, 20.0, [0.5, 20.0], 500) };
+        trace(&scene, &sonar, &Pose::IDENTITY).energy.iter().map(|&e| f64::from(e)).sum::<f64>()
+    };
+    // μ·cos²θ·A / R⁴ with μ = 1; the plate is small, so cos θ is 1.
+    for distance in [3.0, 6.0, 12.0] {
+        let expected = std::f64::consts::PI * 0.04 / f64::from(distance).powi(4);
+        assert!(
+            (energy(distance) / expected - 1.0).abs() < 0.02,
+            "{distance} m: {} is not {expected}",
+            energy(distance)
+        );
+    }
+    let weaker_db = 10.0 * (energy(3.0) / energy(6.0)).log10();
+    assert!((weaker_db - 12.04).abs() < 0.1, "twice the range is {weaker_db} dB weaker");
+}
+
 #[test]
 fn twice_the_elevations_hardly_change_the_image() {
     let scene = Builder::new()
@@ -163,4 +193,58 @@ fn detail_gives_the_elevation_and_incidence_of_a_flat_seabed() {
     assert!((f64::from(detail.elevation_rad[cell]) - elevation).abs() < 0.003);
     assert!((f64::from(detail.incidence_rad[cell]) - (2.0f64 / range).acos()).abs() < 0.003);
     assert_eq!(detail.material[cell], 1);
+}
+
+#[test]
+fn ghosts_appear_at_the_ranges_of_their_paths_and_in_no_label() {
+    let Some(rows) = reference_rows("multipath") else { return };
+    for row in rows {
+        let given = |key: &str| row["inputs"][key].as_f64();
+        // Heights above the mirror, or depths below it.
+        let (sonar_m, target_m) = match given("sonar_depth_m") {
+            Some(depth) => (-depth, -number(&row, "target_depth_m")),
+            None => (number(&row, "altitude_m"), number(&row, "target_height_m")),
+        };
+        let across = number(&row, "ground_range_m");
+        let paths = [number(&row, "mixed_apparent_m"), number(&row, "double_apparent_m")];
+        let ball = sphere(Vec3::new(across as f32, 0.0, target_m as f32), 0.02, 40);
+        let mut scene = Builder::new().body(ball).scene();
+        let far = 1.5 * paths[1];
+        let sonar = Sonar { elevation_deg: 110.0, elevations: 8000, ..sonar(9, 9.0, [0.5, far], 4000) };
+        let pose = looking([0.0, 0.0, sonar_m], 0.0, 0.0);
+        let plain = trace(&scene, &sonar, &pose);
+        assert!(plain.ghosts.is_none());
+        scene.mirrors = vec![ensonify::scene::Mirror { height_m: 0.0, reflection: 1.0, rough_m: 0.0 }];
+        let echoes = trace(&scene, &sonar, &pose);
+        assert_eq!(echoes.bodies, plain.bodies, "labels are those without ghosts");
+        let ghosts = echoes.ghosts.as_ref().expect("a mirror makes ghosts");
+        let lit: Vec<f64> = (0..echoes.grid.bins)
+            .filter(|&bin| (0..9).any(|beam| ghosts[echoes.grid.cell(beam, bin)] > 0.0))
+            .map(|bin| echoes.grid.range_m(bin))
+            .collect();
+        for range in paths {
+            let nearest = lit.iter().map(|lit| (lit - range).abs()).fold(f64::MAX, f64::min);
+            assert!(nearest < 0.025, "{}: no ghost at {range} m, the nearest is {nearest} m off", row["id"]);
+        }
+        let known = |range: f64| paths.iter().any(|path| (path - range).abs() < 0.06);
+        assert!(lit.iter().all(|&range| known(range)), "{}: {lit:?}", row["id"]);
+    }
+}
+
+#[test]
+fn a_turning_array_hears_far_echoes_to_the_side() {
+    let turned = |range: f32, rate: f64| {
+        let scene = Builder::new().body(sphere(Vec3::new(range, 0.0, 0.0), 0.02, 40)).scene();
+        let sonar = Sonar { yaw_rate_deg_s: rate, elevations: 4001, ..sonar(401, 40.1, [0.5, 20.0], 400) };
+        let echoes = trace(&scene, &sonar, &Pose::IDENTITY);
+        let (sum, weighted) = echoes.bodies.iter().fold((0.0, 0.0), |(sum, weighted), echo| {
+            let bearing = echoes.grid.bearing_rad(echo.cell / echoes.grid.bins).to_degrees();
+            (sum + f64::from(echo.energy), weighted + f64::from(echo.energy) * bearing)
+        });
+        weighted / sum
+    };
+    assert!(turned(10.0, 0.0).abs() < 0.01);
+    // 2 · 10 m / (1500 m/s) · 30°/s to port: the target is heard 0.4° to starboard.
+    assert!((turned(10.0, 30.0) + 0.4).abs() < 0.02, "{}", turned(10.0, 30.0));
+    assert!((turned(5.0, -30.0) - 0.2).abs() < 0.02, "{}", turned(5.0, -30.0));
 }

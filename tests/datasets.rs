@@ -164,3 +164,32 @@ fn raw_echoes_are_written_when_asked_for() {
     let raw = fs::read(desk.path().join("out/raw/000000.exr")).expect("written");
     assert_eq!(raw[..4], [0x76, 0x2f, 0x31, 0x01], "an OpenEXR file");
 }
+
+#[test]
+fn looks_show_the_same_echoes_under_other_conditions() {
+    let desk = Desk::new();
+    let looks = "looks:\n  - {name: plain}\n  - {name: warm, water: {temperature_c: 30}}\n  - {name: flat, image: {tvg_db_per_decade: 20}}\n";
+    desk.file("plain.yaml", &small_recipe(2));
+    desk.file("looks.yaml", &(small_recipe(2) + looks));
+    for recipe in ["plain", "looks"] {
+        let output = desk.run(&["run", &format!("{recipe}.yaml"), "-o", recipe]);
+        assert!(output.status.success(), "{}", messages(&output));
+    }
+    let (plain, looks) = (files(&desk.path().join("plain")), files(&desk.path().join("looks")));
+    for view in ["polar", "fan"] {
+        let image = |look: &str| &looks[&format!("images/{view}/000004_{look}.png")];
+        assert!(*image("plain") == plain[&format!("images/{view}/000004.png")], "a look that changes nothing");
+        assert!(image("plain") != image("warm") && image("plain") != image("flat"));
+        let mask = format!("masks/{view}/000004.png");
+        assert!(looks[&mask] == plain[&mask], "labels are of the echoes");
+    }
+    let mut images = 0;
+    for split in ["train", "val", "test"] {
+        let coco = json(&desk.path().join(format!("looks/annotations/fan_{split}.json")));
+        let ids: Vec<u64> =
+            coco["images"].as_array().expect("images").iter().map(|i| i["id"].as_u64().expect("an id")).collect();
+        assert!(ids.windows(2).all(|pair| pair[0] < pair[1]), "ids are unique");
+        images += ids.len();
+    }
+    assert_eq!(images, 3 * 6);
+}

@@ -47,6 +47,7 @@ pub fn sonar(bearing: Bearing) -> Sonar {
         bandwidth_khz: 100.0,
         source_level_db: 210.0,
         directivity_db: 30.0,
+        yaw_rate_deg_s: 0.0,
         mount: Mount { position_m: [0.0; 3], yaw_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 },
     }
 }

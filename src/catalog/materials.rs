@@ -3,13 +3,12 @@
 //! Knows nothing of how sound scatters: it hands out densities, speeds and Lambert coefficients.
 
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_1_PI;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
 
 use super::error::{CatalogError, did_you_mean};
-use crate::math::real::power_from_db;
+use crate::physics::lambert::lambert_mu;
 
 static SEDIMENTS: LazyLock<BTreeMap<String, Sediment>> = LazyLock::new(|| {
     read_table("sediments.yaml", include_str!("../../catalogs/sediments.yaml"), |s: &Sediment| s.lambert_db)
@@ -103,12 +102,6 @@ pub fn material_in_name(gltf_name: &str) -> Option<&'static str> {
     })
 }
 
-/// Lambert coefficient μ from decibels, never above 1/π: no surface scatters back more than it receives.
-#[must_use]
-pub fn lambert_mu(db: f64) -> f64 {
-    power_from_db(db).min(FRAC_1_PI)
-}
-
 /// A compound's last part is what it is: `driftwood` is wood, `rocket` no rock. Short words must stand alone.
 fn speaks_of(token: &str, word: &str) -> bool {
     let singular = token.strip_suffix('s').unwrap_or(token);
@@ -149,10 +142,8 @@ fn read_table<T: for<'de> Deserialize<'de>>(
     let entries: BTreeMap<String, T> =
         serde_yaml::from_str(text).map_err(|e| CatalogError::Table { table, problem: e.to_string() })?;
     for (name, entry) in &entries {
-        let db = lambert_db(entry);
-        if !db.is_finite() || power_from_db(db) > FRAC_1_PI {
-            let problem = format!("{name}: lambert_db {db} is above −4.97 (μ = 1/π), more than a surface can scatter");
-            return Err(CatalogError::Table { table, problem });
+        if let Err(fault) = lambert_mu(lambert_db(entry)) {
+            return Err(CatalogError::Table { table, problem: format!("{name}: {}", fault.problem) });
         }
     }
     Ok(entries)
@@ -168,7 +159,6 @@ mod tests {
         assert!(sediments().all(|(_, s)| !s.source.is_empty() && s.density > 1000.0 && s.speed > 1400.0));
         assert!(materials().all(|(_, m)| !m.source.is_empty() && m.density > 900.0 && m.speed > 1400.0));
         assert_eq!(sediment("fine-sand").expect("known").lambert_db, -19.0);
-        assert!((lambert_mu(-10.0) - 0.1).abs() < 1e-12 && lambert_mu(0.0) == FRAC_1_PI);
     }
 
     #[test]

@@ -23,6 +23,8 @@ pub const DEVICES: &[(&str, &str)] = &[
     ("oculus-m3000d-lf", include_str!("../../catalogs/sonars/oculus-m3000d-lf.yaml")),
     ("oculus-m750d-hf", include_str!("../../catalogs/sonars/oculus-m750d-hf.yaml")),
     ("oculus-m750d-lf", include_str!("../../catalogs/sonars/oculus-m750d-lf.yaml")),
+    ("waterlinked-3d15-insp", include_str!("../../catalogs/sonars/waterlinked-3d15-insp.yaml")),
+    ("waterlinked-3d15-nav", include_str!("../../catalogs/sonars/waterlinked-3d15-nav.yaml")),
 ];
 
 /// The text of a built-in device file.

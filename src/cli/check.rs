@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use clap::Args;
 
 use super::{Code, RecipeArgs};
+use crate::plan::Splits;
 use crate::run::World;
 
 /// Checks a recipe without rendering anything
@@ -31,12 +32,18 @@ impl Check {
         let list = |counts: &BTreeMap<&str, u64>| {
             counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
         };
-        println!("{} is fine", self.recipe.recipe.display());
-        println!("  scenes    {}", plan.header.scenes);
-        println!("  frames    {} ({})", plan.jobs.len(), list(&splits));
-        println!("  objects   {}", if labels.is_empty() { "none".to_owned() } else { list(&labels) });
-        println!("  models    {}", plan.assets.len());
-        println!("  plan hash {}", project.plan_hash);
+        say!("{} is fine", self.recipe.recipe.display());
+        say!("  scenes    {}", plan.header.scenes);
+        say!("  frames    {} ({})", plan.jobs.len(), list(&splits));
+        say!("  objects   {}", if labels.is_empty() { "none".to_owned() } else { list(&labels) });
+        say!("  models    {}", plan.assets.len());
+        say!("  plan hash {}", project.plan_hash);
+        let shares = [plan.header.splits.train, plan.header.splits.val, plan.header.splits.test];
+        for (name, share) in Splits::NAMES.into_iter().zip(shares) {
+            if share > 0.0 && !splits.contains_key(name) {
+                eprintln!("note: no scene falls into the split {name}; more scenes fill it");
+            }
+        }
         for dropped in &world.built().dropped {
             eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
         }

@@ -2,12 +2,22 @@
 //!
 //! Results go to standard output, messages to standard error.
 
+/// Prints a line of results. Whoever reads may stop reading (`ensonify status … | head`): that is no error.
+macro_rules! say {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stdout(), $($text)*);
+    }};
+}
+
 mod check;
 mod plan;
 mod preview;
 mod progress;
+mod realism;
 mod run;
 mod status;
+mod water;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -54,6 +64,8 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Status(status::StatusVerb),
+    Water(water::WaterVerb),
+    Realism(realism::Realism),
 }
 
 /// A recipe on the command line.
@@ -81,6 +93,8 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
+        Verb::Water(verb) => verb.run(),
+        Verb::Realism(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

@@ -6,7 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 
 use super::{Code, RecipeArgs};
-use crate::label::View;
+use crate::label::{View, ViewLabels};
 use crate::plan::{Header, Plan, Raw};
 use crate::run::render::{Frame, Picture, Renderer};
 use crate::run::{Project, World};
@@ -15,7 +15,7 @@ use crate::view::{GreyImage, SheetFrame, contact_sheet};
 
 /// Draws a contact sheet of a few frames of a recipe
 ///
-/// Each row is one frame: the polar and the fan image, each without and with its masks and boxes. The frames are those
+/// Each row is one frame in one look: the polar and the fan image, each without and with its masks and boxes. The frames are those
 /// that `run` would make, taken evenly from all of them.
 #[derive(Debug, Args)]
 pub struct Preview {
@@ -38,7 +38,7 @@ impl Preview {
         header.output.raw = Raw::None;
         let ids = spread(plan.jobs.len() as u64, u64::from(self.frames));
         let rows = ids.iter().map(|&id| Row::render(&project, &header, id)).collect::<anyhow::Result<Vec<_>>>()?;
-        let frames: Vec<SheetFrame> = rows.iter().map(Row::on_sheet).collect();
+        let frames: Vec<SheetFrame> = rows.iter().flat_map(Row::on_sheet).collect();
         let sheet = contact_sheet(&frames);
 
         let path = self.output.clone().unwrap_or_else(|| PathBuf::from(format!("out/{}-preview.png", header.name)));
@@ -47,7 +47,7 @@ impl Preview {
         }
         std::fs::write(&path, png::rgb8(sheet.width(), sheet.height(), sheet.as_raw()))
             .with_context(|| format!("cannot write {}; choose another file with -o", path.display()))?;
-        println!("{}", path.display());
+        say!("{}", path.display());
         Ok(Code::Done)
     }
 }
@@ -59,7 +59,8 @@ fn spread(total: u64, wanted: u64) -> Vec<u64> {
 }
 
 struct Row {
-    title: String,
+    /// One a look.
+    titles: Vec<String>,
     frame: Frame,
     names: Vec<String>,
 }
@@ -74,22 +75,31 @@ impl Row {
         let [near, far] = job.sonar.range_m;
         let title =
             format!("{id:06}  scene {}  frame {}  {}  {device} {near}-{far} m", job.scene, job.frame, job.split);
+        let titles = job.looks.iter().map(|look| match &look.name {
+            Some(name) => format!("{title}  look {name}"),
+            None => title.clone(),
+        });
+        let titles = titles.collect();
         let names = world.scene().bodies.iter().map(|body| body.label.clone()).collect();
-        Ok(Self { title, frame, names })
+        Ok(Self { titles, frame, names })
     }
 
-    fn on_sheet(&self) -> SheetFrame<'_> {
-        let view = |picture: &'_ Picture| {
-            let (width, height) = (picture.labels.width, picture.labels.height);
-            (width, height)
-        };
+    /// A row of the sheet for each look.
+    fn on_sheet(&self) -> Vec<SheetFrame<'_>> {
         let [polar, fan] = &self.frame.pictures[..] else { unreachable!("both views were asked for") };
-        let image = |picture| {
-            let (width, height) = view(picture);
-            (GreyImage { width, height, pixels: &picture.grey }, &picture.labels)
+        let row = |(look, title)| SheetFrame {
+            title,
+            polar: on_sheet(polar, look),
+            fan: on_sheet(fan, look),
+            names: &self.names,
         };
-        SheetFrame { title: &self.title, polar: image(polar), fan: image(fan), names: &self.names }
+        self.titles.iter().map(String::as_str).enumerate().map(row).collect()
     }
+}
+
+fn on_sheet(picture: &Picture, look: usize) -> (GreyImage<'_>, &ViewLabels) {
+    let (width, height) = (picture.labels.width, picture.labels.height);
+    (GreyImage { width, height, pixels: &picture.looks[look] }, &picture.labels)
 }
 
 #[cfg(test)]

@@ -75,15 +75,12 @@ impl Run {
         let go_on = |left: u64| eprintln!("{left} frames are still missing; the same command goes on");
         match outcome {
             Ok(Ended::Complete(summary)) => {
-                println!(
-                    "{}: {} frames, {} annotations",
-                    project.plan.header.name, summary.frames, summary.annotations
-                );
-                println!("  images       {folder}/images");
-                println!("  annotations  {folder}/annotations (COCO)");
-                println!("  card         {folder}/README.md");
-                println!("  dataset hash {}", summary.dataset_hash);
-                println!("  {:.1} MB in {} files, {seconds:.1} s", summary.bytes as f64 / 1e6, summary.files);
+                say!("{}: {} frames, {} annotations", project.plan.header.name, summary.frames, summary.annotations);
+                say!("  images       {folder}/images");
+                say!("  annotations  {folder}/annotations (COCO)");
+                say!("  card         {folder}/README.md");
+                say!("  dataset hash {}", summary.dataset_hash);
+                say!("  {:.1} MB in {} files, {seconds:.1} s", summary.bytes as f64 / 1e6, summary.files);
                 Ok(Code::Done)
             }
             Ok(Ended::Limited(left)) => {

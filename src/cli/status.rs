@@ -23,20 +23,20 @@ impl StatusVerb {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
         let status = Status::read(&self.dataset)?;
         if self.json {
-            println!("{}", serde_json::to_string_pretty(&status)?);
+            say!("{}", serde_json::to_string_pretty(&status)?);
             return Ok(Code::Done);
         }
         let state = if status.finished { "finished" } else { "not finished: run the recipe again to go on" };
-        println!("{}: {} of {} frames, {state}", status.name, status.frames_done, status.frames_total);
-        println!("  size         {:.1} MB", status.bytes as f64 / 1e6);
-        println!("  plan hash    {}", status.plan_hash);
+        say!("{}: {} of {} frames, {state}", status.name, status.frames_done, status.frames_total);
+        say!("  size         {:.1} MB", status.bytes as f64 / 1e6);
+        say!("  plan hash    {}", status.plan_hash);
         if let Some(hash) = &status.dataset_hash {
-            println!("  dataset hash {hash}");
+            say!("  dataset hash {hash}");
         }
         for (view, labels) in &status.annotations {
             let total: u64 = labels.values().sum();
-            println!("  annotations of the {} view: {total}", view.name());
-            labels.iter().for_each(|(label, count)| println!("    {label:24} {count:>8}"));
+            say!("  annotations of the {} view: {total}", view.name());
+            labels.iter().for_each(|(label, count)| say!("    {label:24} {count:>8}"));
         }
         Ok(Code::Done)
     }

@@ -1,6 +1,6 @@
 //! COCO annotation files: one for each view and split, masks as compressed run lengths.
 //!
-//! Beyond the format's own keys, images name their `scene` and `frame`, and annotations their `instance` (the value in the
+//! Beyond the format's own keys, images name their `scene`, `frame` and `look`, and annotations their `instance` (the value in the
 //! mask image) and `asset`. No dates, so that equal datasets have equal files.
 //! Source: COCO data format, <https://cocodataset.org/#format-data>.
 
@@ -39,7 +39,7 @@ pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
         info: Info { description: coco.description, version: coco.version },
         licenses: [],
         categories: List(|| categories(coco.categories)),
-        images: List(|| coco.frames().map(image)),
+        images: List(|| coco.images().map(|(image, _, _)| image)),
         annotations: List(|| coco.annotations(&ids)),
     };
     serde_json::to_writer(&mut *out, &file)?;
@@ -47,20 +47,35 @@ pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
 }
 
 impl<'a> Coco<'a> {
-    /// The frames of this split that have this view.
-    fn frames(&self) -> impl Iterator<Item = (View, &'a FrameRecord, &'a ViewRecord)> + use<'a> {
+    /// Every image of this view in this split, with its frame: one for each look.
+    fn images(&self) -> impl Iterator<Item = (Image<'a>, &'a FrameRecord, &'a ViewRecord)> + use<'a> {
         let (view, split) = (self.view, self.split);
         let frames = self.frames.values().filter(move |frame| frame.split == split);
-        frames.filter_map(move |frame| Some((view, frame, frame.views.get(&view)?)))
+        let seen = frames.filter_map(move |frame| Some((frame, frame.views.get(&view)?)));
+        seen.flat_map(move |(frame, record)| {
+            let looks = frame.looks.len().max(1) as u64;
+            frame.each_look().zip(0..).map(move |(look, number)| {
+                let image = Image {
+                    id: frame.id * looks + number + 1,
+                    file_name: layout::image(view, &frame.name, look),
+                    width: record.width,
+                    height: record.height,
+                    scene: frame.scene,
+                    frame: frame.frame,
+                    look,
+                };
+                (image, frame, record)
+            })
+        })
     }
 
-    /// The annotations of [`Self::frames`], numbered from 1.
+    /// The annotations of [`Self::images`], numbered from 1. Looks of a frame have the same ones.
     fn annotations(&self, ids: &BTreeMap<&str, u64>) -> impl Iterator<Item = Annotation<'a>> {
         let all =
-            self.frames().flat_map(|(_, frame, record)| record.annotations.iter().map(move |a| (frame, record, a)));
-        all.zip(1..).map(|((frame, record, annotation), id)| Annotation {
+            self.images().flat_map(|(image, _, record)| record.annotations.iter().map(move |a| (image.id, record, a)));
+        all.zip(1..).map(|((image_id, record, annotation), id)| Annotation {
             id,
-            image_id: image_id(frame),
+            image_id,
             category_id: *ids.get(annotation.label.as_str()).expect("labels are checked before anything is exported"),
             bbox: annotation.bbox,
             area: annotation.area,
@@ -95,13 +110,15 @@ struct Category<'a> {
 }
 
 #[derive(Serialize)]
-struct Image {
+struct Image<'a> {
     id: u64,
     file_name: String,
     width: u32,
     height: u32,
     scene: u64,
     frame: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    look: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -134,20 +151,4 @@ impl<T: Serialize, I: Iterator<Item = T>, F: Fn() -> I> Serialize for List<F> {
 
 fn categories(labels: &[String]) -> impl Iterator<Item = Category<'_>> {
     labels.iter().zip(1..).map(|(name, id)| Category { id, name, supercategory: "object" })
-}
-
-fn image((view, frame, record): (View, &FrameRecord, &ViewRecord)) -> Image {
-    Image {
-        id: image_id(frame),
-        file_name: layout::image(view, &frame.name),
-        width: record.width,
-        height: record.height,
-        scene: frame.scene,
-        frame: frame.frame,
-    }
-}
-
-/// Ids from 1, as some consumers take 0 for none.
-fn image_id(frame: &FrameRecord) -> u64 {
-    frame.id + 1
 }

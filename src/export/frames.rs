@@ -13,25 +13,30 @@ const FIXED: [&str; 11] =
     ["id", "name", "split", "scene", "frame", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"];
 
 /// Writes the table: the fixed columns, the drawn values that any frame has (sorted by path), then for each view the
-/// number of annotations and the hash of the image.
+/// number of annotations and the hash of the image, of each look's image where there are several.
 ///
 /// # Errors
 /// If `out` cannot be written.
 pub(crate) fn write(out: &mut dyn Write, frames: &BTreeMap<u64, FrameRecord>, views: &[View]) -> io::Result<()> {
     let drawn: BTreeSet<&str> = frames.values().flat_map(|frame| frame.values.keys().map(String::as_str)).collect();
+    let looks: BTreeSet<Option<&str>> = frames.values().flat_map(FrameRecord::each_look).collect();
     let mut table = csv::Writer::from_writer(out);
     let mut header: Vec<String> = FIXED.iter().chain(&drawn).map(ToString::to_string).collect();
     for view in views.iter().map(|view| view.name()) {
-        header.extend([format!("annotations_{view}"), format!("image_{view}_sha256")]);
+        header.push(format!("annotations_{view}"));
+        header.extend(looks.iter().map(|look| match look {
+            Some(look) => format!("image_{view}_{look}_sha256"),
+            None => format!("image_{view}_sha256"),
+        }));
     }
     table.write_record(&header)?;
     for frame in frames.values() {
-        table.write_record(row(frame, &drawn, views))?;
+        table.write_record(row(frame, &drawn, views, &looks))?;
     }
     table.flush()
 }
 
-fn row(frame: &FrameRecord, drawn: &BTreeSet<&str>, views: &[View]) -> Vec<String> {
+fn row(frame: &FrameRecord, drawn: &BTreeSet<&str>, views: &[View], looks: &BTreeSet<Option<&str>>) -> Vec<String> {
     let mut row = vec![
         frame.id.to_string(),
         frame.name.clone(),
@@ -43,8 +48,11 @@ fn row(frame: &FrameRecord, drawn: &BTreeSet<&str>, views: &[View]) -> Vec<Strin
     row.extend(drawn.iter().map(|&path| frame.values.get(path).map(cell).unwrap_or_default()));
     for &view in views {
         let annotations = frame.views.get(&view).map(|record| record.annotations.len().to_string());
-        let image = frame.file(&layout::image(view, &frame.name)).map(|file| file.sha256.clone());
-        row.extend([annotations.unwrap_or_default(), image.unwrap_or_default()]);
+        row.push(annotations.unwrap_or_default());
+        row.extend(looks.iter().map(|&look| {
+            let image = frame.file(&layout::image(view, &frame.name, look));
+            image.map(|file| file.sha256.clone()).unwrap_or_default()
+        }));
     }
     row
 }

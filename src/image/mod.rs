@@ -2,13 +2,18 @@
 //!
 //! Knows nothing of bodies and labels: noise made here cannot reach them.
 
+pub mod deepsonar;
 pub mod display;
+pub mod holoocean;
+pub mod linear;
 pub mod physical;
 mod vectors;
 
 use serde::{Deserialize, Serialize};
 
+pub use deepsonar::DeepSonar;
 pub use display::Display;
+pub use holoocean::HoloOcean;
 pub use physical::Physical;
 
 use display::Scale;
@@ -18,8 +23,8 @@ use crate::math::Impossible;
 use crate::math::real::power_from_db;
 use crate::math::rng::Stream;
 use crate::physics::response::pulse_resolution_m;
-use crate::physics::{TurbidWater, levels};
-use crate::sonar::{Echoes, Sonar};
+use crate::physics::{TurbidWater, Water, levels};
+use crate::sonar::{Echoes, RayRange, Sonar};
 
 /// How echoes become a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,9 +32,9 @@ use crate::sonar::{Echoes, Sonar};
 pub struct ImageModel {
     /// The chain of steps.
     pub model: Model,
-    /// Time-varied gain, dB per decade of range: 20 levels volume, 30 seabed, 40 point echoes.
+    /// Time-varied gain of the physical chain, dB per decade of range: 20 levels volume, 30 seabed, 40 point echoes.
     pub tvg_db_per_decade: f64,
-    /// Levels shown.
+    /// Levels that the physical chain shows.
     pub display: Display,
 }
 
@@ -43,6 +48,18 @@ impl ImageModel {
         self.display.validate()?;
         match &self.model {
             Model::Physical(physical) => physical.validate(),
+            Model::Deepsonar(model) => model.validate(),
+            Model::Holoocean(model) => model.validate(),
+        }
+    }
+
+    /// The rays that this model averages over: what [`form`] needs a trace to keep. None where it sums energy.
+    #[must_use]
+    pub fn rays(&self) -> Option<RayRange> {
+        match &self.model {
+            Model::Physical(_) => None,
+            Model::Deepsonar(model) => Some(model.ray_range()),
+            Model::Holoocean(_) => Some(RayRange::Slant),
         }
     }
 
@@ -57,6 +74,10 @@ impl ImageModel {
 pub enum Model {
     /// Complex Gaussian field, aperture and pulse, noise before gain, log display.
     Physical(Physical),
+    /// The chain of the DeepSonar paper: a mean over rays, absorption, speckle, noise that grows with range.
+    Deepsonar(DeepSonar),
+    /// The chain of HoloOcean's imaging sonar: a mean over rays, range noise, Gaussian and Rayleigh noise.
+    Holoocean(HoloOcean),
 }
 
 /// Whether the receiver's own noise is in an image.
@@ -84,6 +105,10 @@ pub struct Channel {
     pub beam_width_deg: f64,
     /// Resolution of the pulse, c/2B, metres of slant range.
     pub pulse_m: f64,
+    /// Centre frequency, kHz: for chains with an absorption of their own.
+    pub frequency_khz: f64,
+    /// The water itself.
+    pub water: Water,
     /// Wavelength, metres.
     pub wavelength_m: f64,
     /// Bandwidth, Hz.
@@ -106,6 +131,8 @@ impl Channel {
             noise_power: power_from_db(noise - sonar.source_level_db),
             beam_width_deg: sonar.beam_width_deg,
             pulse_m: pulse_resolution_m(water.water.sound_speed_m_s(), bandwidth_hz),
+            frequency_khz: sonar.frequency_khz,
+            water: water.water,
             wavelength_m: water.water.wavelength_m(sonar.frequency_khz),
             bandwidth_hz,
             source_level_db: sonar.source_level_db,
@@ -114,14 +141,20 @@ impl Channel {
 }
 
 /// Forms the grey image of a ping: one byte a cell, in cell order. The stream gives speckle and noise.
+///
+/// # Panics
+/// Where the model averages over rays ([`ImageModel::rays`]) and the echoes were traced without.
 #[must_use]
 pub fn form(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &mut Stream) -> Vec<u8> {
+    let rays = || echoes.rays.as_ref().expect("traced with the rays that the model asks for");
     match &model.model {
         Model::Physical(physical) => {
             let chain = Chain::new(&echoes.grid, &model.setup(physical, Noise::Heard), channel);
             let powers = chain.powers(echoes, stream);
             model.display.grey(&powers, &Scale { gain_db: chain.gain_db(), footprint_m2: chain.footprint_m2() })
         }
+        Model::Deepsonar(deepsonar) => deepsonar.form(rays(), &echoes.grid, channel, stream),
+        Model::Holoocean(holoocean) => holoocean.form(rays(), &echoes.grid, stream),
     }
 }
 
@@ -148,5 +181,6 @@ pub fn linear(echoes: &Echoes, model: &ImageModel, channel: &Channel, stream: &S
             };
             Some(Linear { noise_free: of(Noise::Silent), noisy: of(Noise::Heard) })
         }
+        Model::Deepsonar(_) | Model::Holoocean(_) => None,
     }
 }

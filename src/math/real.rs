@@ -3,7 +3,7 @@
 //! `f32::sin`, `f64::ln` and their like call the system's library, whose last bits differ between systems.
 //! These go to the pure-Rust `libm`. `+ − × ÷ √` need no help: IEEE 754 fixes their results.
 
-pub use libm::{acos, acosh, asin, atan2, cos, cosh, exp, lgamma, log as ln, log10, pow, sin, tan};
+pub use libm::{acos, acosh, asin, atan2, cos, cosh, erf, exp, lgamma, log as ln, log10, pow, sin, tan};
 pub use libm::{cosf, log10f, logf as lnf, powf, sinf};
 
 /// Degrees to radians.

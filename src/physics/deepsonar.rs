@@ -1,6 +1,6 @@
 //! The absorption of the DeepSonar paper as printed, for comparison with images made by its letter.
 //!
-//! Nothing else calls these; the corrected equations are [`ainslie_mccolm`](super::absorption::ainslie_mccolm) and
+//! Nothing else calls these; the corrected equations are [`ainslie_mccolm`] and
 //! [`transmission`](super::absorption::transmission).
 
 use super::absorption::{Absorption, ainslie_mccolm};

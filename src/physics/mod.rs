@@ -15,6 +15,8 @@ pub mod motion;
 pub mod noise;
 mod numeric;
 pub mod reflection;
+pub mod report;
+mod report_text;
 pub mod response;
 pub mod rigid_sphere;
 pub mod seawater;
@@ -29,6 +31,7 @@ pub mod turbid_water;
 pub mod turbidity;
 pub mod water;
 
+pub use report::WaterReport;
 pub use stated::{Outside, Stated};
 pub use turbid_water::{Load, TurbidWater};
 pub use turbidity::Turbidity;

@@ -9,7 +9,7 @@ use crate::math::real::{db_from_power, log10, power_from_db};
 /// Noise of wind and waves, dB re 1 µPa²/Hz: `50 + 7.5·√w + 20·log f − 40·log(f + 0.4)`.
 ///
 /// Frequency in kHz (0.1–100), wind speed in m/s (0–40). Above 100 kHz it falls by 20 dB a decade and thermal noise wins.
-/// Source: Coates (1990), Underwater Acoustic Systems, ch. 4; Stojanovic (2007), Mobile Comput. Commun. Rev. 11(4):34–43, eq. 7.
+/// Source: Coates (1990), Underwater Acoustic Systems; Stojanovic (2007), Mobile Comput. Commun. Rev. 11(4):34–43.
 pub fn wind_noise_db(frequency_khz: f64, wind_m_s: f64) -> Stated<f64> {
     let value = 50.0 + 7.5 * wind_m_s.max(0.0).sqrt() + 20.0 * log10(frequency_khz) - 40.0 * log10(frequency_khz + 0.4);
     Stated::new(value, &[("frequency, kHz", frequency_khz, 0.1, 100.0), ("wind speed, m/s", wind_m_s, 0.0, 40.0)])

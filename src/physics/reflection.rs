@@ -75,7 +75,7 @@ impl Layer {
     /// Magnitude of the reflection coefficient at normal incidence, between impedances before and behind, at a frequency in Hz.
     ///
     /// `R = (R₁₂ + R₂₃·e^(2ikd)) / (1 + R₁₂·R₂₃·e^(2ikd))`, k = (1 + iδ)·2πf/c. A wall a half wavelength thick vanishes; so
-    /// does one much thinner. Source: Brekhovskikh & Lysanov (2003), eq. 3.2.5; Medwin & Clay (1998), ch. 2.23.
+    /// does one much thinner. Loss damps the wave inside and is left out of the impedance, right for δ ≪ 1. Source: Brekhovskikh & Lysanov (2003), eq. 3.2.5; Medwin & Clay (1998), ch. 2.23.
     #[must_use]
     pub fn reflection(&self, frequency_hz: f64, before_rayl: f64, behind_rayl: f64) -> f64 {
         let impedance = self.medium.impedance_rayl();

@@ -82,7 +82,10 @@ mod tests {
         let rayleigh = db_from_power(small * small * small * small * 25.0 / 36.0);
         assert!((rigid_sphere_exact(small).value - rayleigh).abs() < 1e-3);
         assert!((rigid_sphere_exact(5.0).value + 5.6815).abs() < 1e-3);
-        assert!((rigid_sphere_exact(1000.0).value + 6.0206).abs() < 0.02);
+        for large in [1000.0, 1e4] {
+            assert!((rigid_sphere_exact(large).value + 6.0206).abs() < 0.02, "{large}");
+        }
+        assert!((rigid_sphere_exact(1e-4).value - (rayleigh - 40.0)).abs() < 1e-3);
     }
 
     #[test]

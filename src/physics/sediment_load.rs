@@ -82,8 +82,8 @@ impl SedimentLoad {
         Impossible::outside("grain_density_kg_m3", self.grain_density_kg_m3, 1000.0, 8000.0)
     }
 
-    /// The suspension's effect at a frequency in Hz. Stated for up to 1 % of the volume (no multiple scattering; Urick found
-    /// his law to hold to 9 %) and `x = k·a` up to 10, an own bound well inside of the fitted form factor's data.
+    /// The suspension's effect at a frequency in Hz. Stated for up to 1 % of the volume, where grains scatter one by
+    /// one, and `k·a` up to 10: both are bounds of this project; larger grains do not stay in suspension before a sonar.
     ///
     /// Source: the three functions of this module.
     pub fn acoustics(&self, carrier: &Carrier, frequency_hz: f64) -> Stated<Suspension> {

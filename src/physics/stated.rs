@@ -25,6 +25,7 @@ impl fmt::Display for Outside {
         match (low.is_finite(), high.is_finite()) {
             (true, false) => write!(f, "{quantity}: {value} is below {low}"),
             (false, true) => write!(f, "{quantity}: {value} is above {high}"),
+            _ if low == high => write!(f, "{quantity}: {value} is not {low}"),
             _ => write!(f, "{quantity}: {value} is outside {low} to {high}"),
         }
     }
@@ -75,6 +76,8 @@ mod tests {
         assert_eq!(fresh.outside[0].to_string(), "salinity, ppt: 0 is outside 30 to 40");
         let small = Stated::new(1.0, &[("ka", 0.2, 10.0, f64::INFINITY)]);
         assert_eq!(small.outside[0].to_string(), "ka: 0.2 is below 10");
+        let salty = Stated::new(1.0, &[("salinity, ppt", 35.0, 0.0, 0.0)]);
+        assert_eq!(salty.outside[0].to_string(), "salinity, ppt: 35 is not 0");
         assert!(!Stated::new(1.0, &[("ka", f64::NAN, 10.0, f64::INFINITY)]).is_within());
     }
 }

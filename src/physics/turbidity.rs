@@ -2,7 +2,7 @@
 //!
 //! Four points on a scale that is continuous in nature. Concentrations are round figures of the mass of suspended matter in
 //! open, coastal and estuarine water: below 1 mg/l, some 10 mg/l, 100 mg/l and 1 g/l, each ten times the one before but for
-//! the first. Source: Dyer (1986), Coastal and Estuarine Sediment Dynamics, ch. 6; Babin et al. (2003), Limnol. Oceanogr.
+//! the first. Source: Dyer (1986), Coastal and Estuarine Sediment Dynamics; Babin et al. (2003), Limnol. Oceanogr.
 //! 48:843–859. Assumed, not measured: quartz of one radius (2650 kg/m³), coarser where a stronger current carries more, no
 //! flocs, even through the water.
 

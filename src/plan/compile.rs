@@ -6,7 +6,7 @@ use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
 
-use super::sections::{ObjectEntry, Sections};
+use super::sections::{ObjectEntry, Sections, World};
 use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan};
 use crate::catalog::{CatalogError, materials};
 use crate::math::rng::Stream;
@@ -42,8 +42,7 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
                 frame,
                 split,
                 sonar: sections.sonar,
-                water: sections.water,
-                image: sections.image,
+                looks: sections.looks,
                 trajectory: sections.trajectory,
                 drawn: sections.drawn,
             });
@@ -68,8 +67,8 @@ impl Compiler<'_> {
     ) -> Result<ScenePlan, PlanError> {
         let mut drawn = Draws::new();
         let address = |level| Address { seed: header.seed, scene: index, level };
-        let (seabed, environment) = self.sections.world(&address(Level::Scene), &mut drawn)?;
-        let mut spec = SceneSpec { seabed, environment, bodies: Vec::new() };
+        let World { seabed, environment, multipath } = self.sections.world(&address(Level::Scene), &mut drawn)?;
+        let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
             let count = self.sections.count(item, &address(Level::Scene), &mut drawn)?;

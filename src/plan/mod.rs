@@ -5,6 +5,7 @@
 mod compile;
 mod error;
 mod header;
+mod looks;
 mod sections;
 
 use std::collections::BTreeMap;
@@ -67,6 +68,17 @@ pub struct ScenePlan {
     pub drawn: Draws,
 }
 
+/// A way to make a picture of a ping's echoes: other water, other gain, another model.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Look {
+    /// Its name in file names and tables; none where a recipe has no `looks`.
+    pub name: Option<String>,
+    /// The water.
+    pub water: TurbidWater,
+    /// How echoes become a picture.
+    pub image: ImageModel,
+}
+
 /// One frame to render.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Job {
@@ -80,10 +92,8 @@ pub struct Job {
     pub split: &'static str,
     /// The sonar.
     pub sonar: Sonar,
-    /// The water.
-    pub water: TurbidWater,
-    /// How echoes become a picture.
-    pub image: ImageModel,
+    /// Pictures of the same echoes, at least one.
+    pub looks: Vec<Look>,
     /// Where the vehicle goes.
     pub trajectory: Trajectory,
     /// What was drawn for this frame, by path, its scene's draws not repeated.

@@ -4,19 +4,18 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::Look;
 use super::header::{Header, Output, Splits};
+use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
-use crate::image::ImageModel;
 use crate::label::LabelSettings;
-use crate::math::Impossible;
-use crate::physics::TurbidWater;
 use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
-use crate::scene::{EnvironmentSpec, PoseSpec, SeabedSpec};
+use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 17] = [
     "ensonify",
     "name",
     "seed",
@@ -26,9 +25,11 @@ const KEYS: [&str; 15] = [
     "water",
     "seabed",
     "environment",
+    "multipath",
     "objects",
     "trajectory",
     "image",
+    "looks",
     "labels",
     "splits",
     "output",
@@ -53,6 +54,8 @@ pub(super) struct ObjectEntry {
 pub(super) struct Sections {
     /// With defaults.
     pub tree: Tree,
+    /// The recipe as each look sees it; at least one.
+    looks: Vec<LookTree>,
     /// The user's sonar section alone: device files go between it and the defaults.
     sonar: Node,
     sonar_defaults: Node,
@@ -60,11 +63,17 @@ pub(super) struct Sections {
     recipe_dir: std::path::PathBuf,
 }
 
+/// What a scene is made of beside its objects.
+pub(super) struct World {
+    pub seabed: Option<SeabedSpec>,
+    pub environment: Option<EnvironmentSpec>,
+    pub multipath: Option<Multipath>,
+}
+
 /// The sections that may differ from frame to frame.
 pub(super) struct FrameSections {
     pub sonar: Sonar,
-    pub water: TurbidWater,
-    pub image: ImageModel,
+    pub looks: Vec<Look>,
     pub trajectory: Trajectory,
     pub drawn: Draws,
 }
@@ -82,6 +91,7 @@ impl Sections {
             ("trajectory", Level::Frame(0)),
             ("seabed", Level::Scene),
             ("environment", Level::Scene),
+            ("multipath", Level::Scene),
         ] {
             if let Some(node) = tree.at(section) {
                 node.check_distributions(section, level)?;
@@ -102,10 +112,11 @@ impl Sections {
             let help = "write for example `trajectory: {orbit: {radius_m: 5, altitude_m: 2}}`";
             return Err(tree.reject("", "the section `trajectory` is missing", help));
         }
+        let looks = looks::read(recipe, &tree)?;
         let defaults = recipe::parse("defaults", DEFAULTS, Origin::BuiltIn)?;
         let sonar_defaults = defaults.get("sonar").cloned().unwrap_or_else(|| sonar.clone());
         let recipe_dir = recipe_dir.to_owned();
-        Ok(Self { tree, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
+        Ok(Self { tree, looks, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
     }
 
     /// What holds for the whole dataset; `stem` names it where the recipe does not.
@@ -158,23 +169,21 @@ impl Sections {
         self.tree.section(key)?.ok_or_else(|| self.tree.reject("", &format!("the key `{key}` is missing"), &help))
     }
 
-    /// The seabed and the environment of a scene.
-    pub fn world(
-        &self,
-        address: &Address,
-        drawn: &mut Draws,
-    ) -> Result<(Option<SeabedSpec>, Option<EnvironmentSpec>), recipe::Error> {
-        Ok((self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?))
+    /// What a scene is made of beside its objects.
+    pub fn world(&self, address: &Address, drawn: &mut Draws) -> Result<World, recipe::Error> {
+        let multipath: Option<Multipath> = self.drawn("multipath", address, drawn)?;
+        if let Some(Err(fault)) = multipath.as_ref().map(Multipath::validate) {
+            return Err(self.tree.reject("multipath", &format!("{}: {}", fault.key, fault.problem), &fault.remedy));
+        }
+        let (seabed, environment) = (self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?);
+        Ok(World { seabed, environment, multipath })
     }
 
     /// The sections of one frame.
     pub fn frame(&self, address: &Address) -> Result<FrameSections, recipe::Error> {
         let mut drawn = Draws::new();
         let sonar = self.sonar(address, &mut drawn)?;
-        let water: TurbidWater = self.present("water", address, &mut drawn)?;
-        water.validate().map_err(|fault| self.impossible("water", &fault))?;
-        let image: ImageModel = self.present("image", address, &mut drawn)?;
-        image.validate().map_err(|fault| self.impossible("image", &fault))?;
+        let looks = self.looks.iter().map(|look| look.draw(address, &mut drawn)).collect::<Result<_, _>>()?;
         let trajectory: Trajectory = self.present("trajectory", address, &mut drawn)?;
         trajectory.check().map_err(|fault| {
             let kind = self.tree.at("trajectory").and_then(|node| node.entries().first()).map(|(key, _)| &*key.text);
@@ -182,7 +191,7 @@ impl Sections {
             let message = format!("{} is not {}", fault.value, fault.range);
             self.tree.reject(&path, &message, &format!("write a number that is {}", fault.range))
         })?;
-        Ok(FrameSections { sonar, water, image, trajectory, drawn })
+        Ok(FrameSections { sonar, looks, trajectory, drawn })
     }
 
     /// The sonar: the user's keys over the device's over the defaults.
@@ -194,13 +203,8 @@ impl Sections {
             None => self.sonar_defaults.clone(),
         };
         let sonar: Sonar = user.merged_over(&under).to("sonar")?;
-        sonar.validate().map_err(|fault| self.impossible("sonar", &fault))?;
+        sonar.validate().map_err(|fault| looks::impossible(&self.tree, "sonar", &fault))?;
         Ok(sonar)
-    }
-
-    /// A figure that cannot be, at its place in the recipe.
-    fn impossible(&self, section: &str, fault: &Impossible) -> recipe::Error {
-        self.tree.reject(&format!("{section}.{}", fault.key), &fault.problem, &fault.remedy)
     }
 
     /// A device file: built in, or a YAML file named relative to the recipe.

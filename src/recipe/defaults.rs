@@ -24,6 +24,11 @@ pub(super) fn complete(recipe: &Node) -> Node {
     BUILT_IN.complete(recipe)
 }
 
+/// One section of a recipe over another, kinds whole.
+pub(super) fn lay_over(over: &Node, under: &Node, section: &str) -> Node {
+    BUILT_IN.over(over, under, section)
+}
+
 struct Defaults {
     /// Values at their places.
     values: Node,

@@ -92,6 +92,26 @@ impl Recipe {
         &self.0
     }
 
+    /// The recipe with `over` laid over one of its top-level sections; a kind in it replaces another kind whole.
+    #[must_use]
+    pub fn with_section_over(&self, section: &str, over: &Node) -> Self {
+        let laid = match self.0.get(section) {
+            Some(under) => defaults::lay_over(over, under, section),
+            None => over.clone(),
+        };
+        let mut root = self.0.clone();
+        if let Kind::Map(entries) = &mut root.kind {
+            match entries.iter_mut().find(|(key, _)| key.text == section) {
+                Some((_, value)) => *value = laid,
+                None => {
+                    let key = Key { text: section.to_owned(), style: Style::Plain, span: over.span.clone() };
+                    entries.push((key, laid));
+                }
+            }
+        }
+        Self(root)
+    }
+
     /// The recipe laid over the built-in defaults.
     #[must_use]
     pub fn completed(&self) -> Tree {

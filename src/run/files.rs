@@ -16,9 +16,11 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
     let mut views = BTreeMap::new();
     for picture in frame.pictures {
         let (width, height) = (picture.labels.width, picture.labels.height);
-        let image = png::grey8(width, height, &picture.grey);
         let mask = png::grey16(width, height, &picture.labels.mask);
-        files.push(NewFile { path: layout::image(picture.view, &name), bytes: image });
+        for (look, grey) in job.looks.iter().zip(&picture.looks) {
+            let path = layout::image(picture.view, &name, look.name.as_deref());
+            files.push(NewFile { path, bytes: png::grey8(width, height, grey) });
+        }
         files.push(NewFile { path: layout::mask(picture.view, &name), bytes: mask });
         views.insert(picture.view, ViewRecord::new(&picture.labels, &world.scene().bodies));
     }
@@ -35,6 +37,7 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
         split: job.split.to_owned(),
         pose: pose_numbers(&frame.world_from_sonar),
         values,
+        looks: job.looks.iter().filter_map(|look| look.name.clone()).collect(),
         views,
         files: Vec::new(),
     };

@@ -5,7 +5,7 @@ use crate::label::{View, ViewLabels, label_fan, label_polar};
 use crate::math::Pose;
 use crate::math::real::{asin, atan2, degrees};
 use crate::math::rng::Stream;
-use crate::plan::{Header, Job, Raw};
+use crate::plan::{Header, Job, Look, Raw};
 use crate::sonar::{Echoes, FanMap, Grid, Keep, Tracer};
 use crate::store::exr::RawImage;
 
@@ -22,13 +22,13 @@ pub struct Frame {
     pub raw: Option<RawImage>,
 }
 
-/// A view of a frame: grey pixels from the noisy image, labels from the noise-free echoes.
+/// A view of a frame: grey pixels from the noisy images, labels from the noise-free echoes.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Which view.
     pub view: View,
-    /// Grey, row by row; as large as the labels' mask.
-    pub grey: Vec<u8>,
+    /// Grey pixels of each look, row by row; as large as the labels' mask.
+    pub looks: Vec<Vec<u8>>,
     /// Masks and boxes.
     pub labels: ViewLabels,
 }
@@ -44,21 +44,35 @@ impl Renderer {
     /// Renders a job in its world.
     pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Frame {
         let world_from_sonar = world.sonar_pose(header, job);
-        let keep = Keep { detail: header.output.raw == Raw::Exr, ..Keep::ENERGY };
-        let echoes = self.tracer(job).trace(world.scene(), &world_from_sonar, keep);
-        let channel = Channel::new(&job.sonar, &job.water);
-        let mut stream = Stream::at(header.seed, "frame", job.id, "image");
-        let grey = image::form(&echoes, &job.image, &channel, &mut stream);
+        // Looks that average over rays may sort them by one range or the other: a second trace serves the second kind.
+        let first = job.looks.iter().find_map(|look| look.image.rays());
+        let second = job.looks.iter().filter_map(|look| look.image.rays()).find(|range| Some(*range) != first);
+        let tracer = self.tracer(job);
+        let keep = Keep { detail: header.output.raw == Raw::Exr, rays: first };
+        let echoes = tracer.trace(world.scene(), &world_from_sonar, keep);
+        let others = second
+            .map(|range| tracer.trace(world.scene(), &world_from_sonar, Keep { rays: Some(range), ..Keep::ENERGY }));
+        let greys: Vec<Vec<u8>> = job
+            .looks
+            .iter()
+            .map(|look| match &others {
+                Some(others) if look.image.rays() == second => grey(header, job, look, others),
+                _ => grey(header, job, look, &echoes),
+            })
+            .collect();
         let view = |&view: &View| match view {
-            View::Polar => {
-                Picture { view, grey: echoes.grid.to_polar_image(&grey), labels: label_polar(&echoes, &header.labels) }
-            }
+            View::Polar => Picture {
+                view,
+                looks: greys.iter().map(|grey| echoes.grid.to_polar_image(grey)).collect(),
+                labels: label_polar(&echoes, &header.labels),
+            },
             View::Fan => {
                 let fan = self.fan.get_or_insert_with(|| fan(&echoes.grid, header));
                 if fan.0 != echoes.grid {
                     *fan = self::fan(&echoes.grid, header);
                 }
-                Picture { view, grey: fan.1.picture(&grey), labels: label_fan(&echoes, &fan.1, &header.labels) }
+                let looks = greys.iter().map(|grey| fan.1.picture(grey)).collect();
+                Picture { view, looks, labels: label_fan(&echoes, &fan.1, &header.labels) }
             }
         };
         let pictures: Vec<Picture> = header.output.views.iter().map(view).collect();
@@ -72,6 +86,13 @@ impl Renderer {
         }
         self.tracer.get_or_insert_with(|| Tracer::new(&job.sonar))
     }
+}
+
+/// The grey cells of one look. All looks of a frame share their random draws: the same scatterers under other conditions.
+fn grey(header: &Header, job: &Job, look: &Look, echoes: &Echoes) -> Vec<u8> {
+    let channel = Channel::new(&job.sonar, &look.water);
+    let mut stream = Stream::at(header.seed, "frame", job.id, "image");
+    image::form(echoes, &look.image, &channel, &mut stream)
 }
 
 fn fan(grid: &Grid, header: &Header) -> (Grid, FanMap) {

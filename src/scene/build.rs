@@ -9,13 +9,16 @@ use thiserror::Error;
 use super::assets::AssetCache;
 use super::environment::{EnvironmentSpec, Surface};
 use super::ground::Ground;
+use super::multipath::Multipath;
 use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
 use super::seabed::{SeabedError, SeabedSpec};
 use super::{Body, Instance, Material, Mesh, Scene};
 use crate::catalog::CatalogError;
-use crate::catalog::materials::{lambert_mu, material, sediment};
+use crate::catalog::materials::{material, sediment};
 use crate::math::real::radians;
 use crate::math::rng::Stream;
+use crate::physics::lambert::{MAX_LAMBERT_MU, lambert_mu};
+use crate::physics::reflection::normal_incidence;
 
 /// Specific impedance of sea water, kg/(m²·s).
 const SEA_WATER_IMPEDANCE: f64 = 1.539e6;
@@ -28,6 +31,8 @@ pub struct SceneSpec {
     pub seabed: Option<SeabedSpec>,
     /// A fixed world.
     pub environment: Option<EnvironmentSpec>,
+    /// Mirrors for sound.
+    pub multipath: Option<Multipath>,
     /// Objects, in this order.
     pub bodies: Vec<BodySpec>,
 }
@@ -131,6 +136,7 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
     spec.check(assets)?;
     let mut ground = Ground::default();
     let mut builder = Builder::default();
+    builder.scene.mirrors = spec.multipath.iter().flat_map(Multipath::mirrors).collect();
     builder.scene.texture_seed = Stream::at(seed, "scene", scene_index, "texture").bits();
     if let Some(seabed) = &spec.seabed {
         let grid = seabed.build(&mut Stream::at(seed, "scene", scene_index, "seabed"))?;
@@ -258,11 +264,13 @@ struct Facts {
 impl Facts {
     /// Reflects what its impedance does against sea water, as far as the diffuse part leaves power for it.
     fn material(&self, name: &str, lambert_db: f64, texture_nu: Option<f64>) -> Material {
-        let (water, mu) = (SEA_WATER_IMPEDANCE, lambert_mu(lambert_db));
-        let impedance = self.density * self.speed;
-        let r = (impedance - water) / (impedance + water);
-        let reflected = (r * r).min(1.0 - std::f64::consts::PI * mu).max(0.0);
-        Material { name: name.into(), lambert_mu: mu, reflected, slope_rad: radians(self.slope_deg), texture_nu }
+        // The tables are checked when they are read, so nothing is cut off here.
+        let mu = lambert_mu(lambert_db).unwrap_or(MAX_LAMBERT_MU);
+        let r = normal_incidence(SEA_WATER_IMPEDANCE, self.density * self.speed);
+        let reflectivity = r * r;
+        let reflected = reflectivity.min(1.0 - std::f64::consts::PI * mu).max(0.0);
+        let slope_rad = radians(self.slope_deg);
+        Material { name: name.into(), lambert_mu: mu, reflected, reflectivity, slope_rad, texture_nu }
     }
 }
 

@@ -8,6 +8,7 @@ pub mod bvh;
 pub mod environment;
 pub mod ground;
 pub mod mesh;
+pub mod multipath;
 pub mod placement;
 pub mod seabed;
 
@@ -21,6 +22,7 @@ pub use bvh::{Bvh, Hit};
 pub use environment::{EnvironmentSpec, Labels};
 pub use ground::Ground;
 pub use mesh::{Cluster, Mesh};
+pub use multipath::{Mirror, Multipath};
 pub use placement::{At, PoseSpec, Rest};
 pub use seabed::{HeightGrid, SeabedSpec};
 
@@ -59,6 +61,8 @@ pub struct Material {
     pub lambert_mu: f64,
     /// Share of the power that is reflected as by a mirror at normal incidence, |R|²; with the diffuse part at most 1.
     pub reflected: f64,
+    /// Power reflected at normal incidence by its impedance against sea water, |R|², whatever the diffuse part is.
+    pub reflectivity: f64,
     /// Rms slope of the surface's facets, radians: the width of the specular lobe.
     pub slope_rad: f64,
     /// Shape ν of the gamma-distributed patchiness; none for an even surface.
@@ -69,7 +73,8 @@ impl Material {
     /// A surface that only scatters by Lambert's law.
     #[must_use]
     pub fn lambert(name: &str, mu: f64) -> Self {
-        Self { name: name.into(), lambert_mu: mu, reflected: 0.0, slope_rad: 0.1, texture_nu: None }
+        let reflectivity = (std::f64::consts::PI * mu).min(1.0);
+        Self { name: name.into(), lambert_mu: mu, reflected: 0.0, reflectivity, slope_rad: 0.1, texture_nu: None }
     }
 }
 
@@ -82,6 +87,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Labelled bodies; body number = index + 1.
     pub bodies: Vec<Body>,
+    /// Level planes that sound bounces off.
+    pub mirrors: Vec<Mirror>,
     /// Names the random patchiness of its surfaces: the same in every frame of a scene.
     pub texture_seed: u64,
 }

@@ -13,6 +13,20 @@ pub struct Split {
     pub share: f32,
 }
 
+impl Split {
+    /// The split of the same patch seen `beams` more to port.
+    #[inline]
+    #[must_use]
+    pub fn moved(self, beams: f32) -> Self {
+        if beams == 0.0 {
+            return self;
+        }
+        let place = self.first as f32 + (1.0 - self.share) + beams;
+        let first = place.floor();
+        Self { first: first as i32, share: 1.0 - (place - first) }
+    }
+}
+
 /// Tables over the samples of a sonar's ping.
 #[derive(Clone, Debug)]
 pub struct Beams {
@@ -20,6 +34,10 @@ pub struct Beams {
     splits: Vec<Split>,
     /// Entries of `splits` a plane.
     stride: usize,
+    /// Half the horizontal aperture, radians.
+    half: f64,
+    /// Angle between beams, radians.
+    beam_rad: f64,
     /// For each sample: two-way vertical pattern × azimuth step × cos⁵ε, so that `E = weight · f(cos θ) · w² · Δt` is the
     /// energy of a patch at 1/ρ = w that spans Δt.
     pub weight: Vec<f32>,
@@ -69,6 +87,8 @@ impl Beams {
         Self {
             splits,
             stride: samples.len(),
+            half,
+            beam_rad,
             weight: times_cosine(5, 1.0),
             solid_angle: times_cosine(3, f64::from(planes.t_step)),
             cosine: cosine.iter().map(|&c| c as f32).collect(),
@@ -80,6 +100,16 @@ impl Beams {
     #[must_use]
     pub fn split(&self, plane: usize, sample: usize) -> Split {
         self.splits[plane * self.stride + sample.min(self.stride - 1)]
+    }
+}
+
+impl Beams {
+    /// Who hears what comes from a bearing, radians: the two beams on either side of it.
+    #[must_use]
+    pub fn split_at(&self, bearing: f64) -> Split {
+        let place = (bearing + self.half) / self.beam_rad - 0.5;
+        let first = place.floor();
+        Split { first: first as i32, share: (1.0 - (place - first)) as f32 }
     }
 }
 

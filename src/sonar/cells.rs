@@ -1,22 +1,34 @@
 //! The cells of a ping while they are filled: energy, whose it is, and what else is asked for.
 
 use super::beams::Split;
-use super::echoes::{Detail, Rays};
+use super::echoes::{Detail, RayRange, Rays};
 use super::{BodyEcho, Echoes, Grid, Keep};
 
 /// What adds up in the cells.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
     grid: Grid,
-    near: f32,
-    per_m: f32,
+    axis: Axis,
     energy: Vec<f32>,
     /// Solid angle that ends just behind each cell; summed up from the far end, it becomes the open water.
     water: Vec<f32>,
+    /// Energy that came by a mirror, once there is any.
+    ghosts: Option<Vec<f32>>,
     /// Contributions of bodies in the order they came; a cell may appear several times.
     bodies: Vec<BodyEcho>,
     detail: Option<DetailSums>,
-    rays: Option<Rays>,
+    rays: Option<(RayRange, Rays)>,
+}
+
+/// The cells that something falls into.
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    beams: i32,
+    bins: u32,
+    near: f32,
+    per_m: f32,
+    /// Beams that the array turns past a target at 1 m before its echo is back; grows with range.
+    turn_per_m: f32,
 }
 
 /// A piece of surface as the cells see it.
@@ -36,6 +48,10 @@ pub(super) struct Patch {
     pub cosine: f32,
     /// Tangent of the elevation.
     pub t: f32,
+    /// How many rays it stands for.
+    pub rays: f32,
+    /// Its material's reflectivity.
+    pub reflectivity: f32,
 }
 
 /// Sums that become [`Detail`].
@@ -48,7 +64,8 @@ struct DetailSums {
 }
 
 impl Cells {
-    pub fn new(grid: Grid, keep: Keep) -> Self {
+    /// Empty cells; the array turns by `turn_per_m` beams to port for each metre of slant range.
+    pub fn new(grid: Grid, keep: Keep, turn_per_m: f64) -> Self {
         let zeros = || vec![0.0; grid.len()];
         let detail = keep.detail.then(|| DetailSums {
             elevation: zeros(),
@@ -58,60 +75,57 @@ impl Cells {
         });
         Self {
             grid,
-            near: grid.near_m as f32,
-            per_m: (1.0 / grid.bin_m()) as f32,
+            axis: Axis {
+                beams: grid.beams as i32,
+                bins: grid.bins,
+                near: grid.near_m as f32,
+                per_m: (1.0 / grid.bin_m()) as f32,
+                turn_per_m: turn_per_m as f32,
+            },
             energy: zeros(),
             water: zeros(),
+            ghosts: None,
             bodies: Vec::new(),
             detail,
-            rays: keep.rays.then(|| Rays { count: zeros(), cosine: zeros() }),
+            rays: keep.rays.map(|range| (range, Rays::none(grid.len()))),
         }
     }
 
     /// Adds a patch, its energy spread evenly over the range bins that it spans.
     pub fn add(&mut self, patch: &Patch) {
-        let bin = |range: f32| (range - self.near) * self.per_m;
-        let (low, high) = (bin(patch.ranges[0].min(patch.ranges[1])), bin(patch.ranges[0].max(patch.ranges[1])));
-        if !(patch.energy > 0.0 && high > 0.0 && low < self.grid.bins as f32) {
-            return;
+        let axis = self.axis;
+        if patch.energy > 0.0 {
+            axis.spread(patch.split, patch.ranges, patch.energy, |cell, energy| self.add_to_cell(cell, energy, patch));
         }
-        let (from, to) = (low.max(0.0) as u32, (high.max(0.0) as u32).min(self.grid.bins - 1));
-        for (beam, share) in self.heard_by(patch.split) {
-            let (row, energy) = (beam * self.grid.bins, patch.energy * share);
-            if low >= 0.0 && high as u32 == low as u32 {
-                self.add_to_cell(row + from, energy, patch);
-                continue;
+        let Some((range, rays)) = &mut self.rays else { return };
+        let ranges = match range {
+            RayRange::Slant => patch.ranges,
+            RayRange::Horizontal => {
+                let cosine = 1.0 / (1.0 + patch.t * patch.t).sqrt();
+                patch.ranges.map(|slant| slant * cosine)
             }
-            let per_bin = energy / (high - low);
-            for bin in from..=to {
-                let overlap = (high.min(bin as f32 + 1.0) - low.max(bin as f32)).max(0.0);
-                self.add_to_cell(row + bin, per_bin * overlap, patch);
-            }
-        }
+        };
+        axis.spread(patch.split, ranges, patch.rays, |cell, count| {
+            rays.count[cell as usize] += count;
+            rays.reflected[cell as usize] += count * patch.reflectivity * patch.cosine;
+        });
+    }
+
+    /// Adds energy that came by a mirror, spread evenly between two ranges.
+    pub fn add_ghost(&mut self, split: Split, energy: f32, ranges: [f32; 2]) {
+        let axis = self.axis;
+        let ghosts = self.ghosts.get_or_insert_with(|| vec![0.0; axis.beams as usize * axis.bins as usize]);
+        axis.spread(split, ranges, energy, |cell, energy| ghosts[cell as usize] += energy);
     }
 
     /// Adds the solid angle of a ray: water is open as far as `range`, or all the way where nothing is met.
     pub fn add_water(&mut self, split: Split, solid_angle: f32, range: Option<f32>) {
-        let open = range.map_or(self.grid.bins as f32, |range| (range - self.near) * self.per_m);
+        let open = range.map_or(self.grid.bins as f32, |range| self.axis.bin(range));
         // Up to the last bin that is open from end to end.
         let Some(last) = (open.min(self.grid.bins as f32) as u32).checked_sub(1) else { return };
-        for (beam, share) in self.heard_by(split) {
+        let split = split.moved(-self.axis.turn_per_m * range.unwrap_or(self.grid.far_m as f32));
+        for (beam, share) in self.axis.heard_by(split) {
             self.water[(beam * self.grid.bins + last) as usize] += solid_angle * share;
-        }
-    }
-
-    /// Counts a ray that met a surface, where rays are asked for.
-    pub fn add_ray(&mut self, split: Split, range: f32, cosine: f32) {
-        let bin = (range - self.near) * self.per_m;
-        if !(0.0..self.grid.bins as f32).contains(&bin) {
-            return;
-        }
-        for (beam, share) in self.heard_by(split) {
-            if let Some(rays) = &mut self.rays {
-                let cell = (beam * self.grid.bins + bin as u32) as usize;
-                rays.count[cell] += share;
-                rays.cosine[cell] += share * cosine;
-            }
         }
     }
 
@@ -126,17 +140,8 @@ impl Cells {
         }
         let detail = self.detail.map(|sums| sums.means(&self.energy));
         let bodies = merged(self.bodies);
-        Echoes { grid: self.grid, energy: self.energy, water: self.water, bodies, detail, rays: self.rays }
-    }
-
-    /// The beams of the grid that hear a sample, with their shares.
-    #[inline]
-    fn heard_by(&self, split: Split) -> impl Iterator<Item = (u32, f32)> + use<> {
-        let beams = self.grid.beams as i32;
-        [(split.first, split.share), (split.first + 1, 1.0 - split.share)]
-            .into_iter()
-            .filter(move |&(beam, share)| share > 0.0 && (0..beams).contains(&beam))
-            .map(|(beam, share)| (beam as u32, share))
+        let rays = self.rays.map(|(_, rays)| rays);
+        Echoes { grid: self.grid, energy: self.energy, water: self.water, ghosts: self.ghosts, bodies, detail, rays }
     }
 
     #[inline]
@@ -153,6 +158,46 @@ impl Cells {
         if let Some(sums) = &mut self.detail {
             sums.add(cell as usize, energy, patch);
         }
+    }
+}
+
+impl Axis {
+    /// Spreads an amount evenly over the range bins that it spans and over the beams that hear it.
+    #[inline]
+    fn spread(self, split: Split, ranges: [f32; 2], amount: f32, mut put: impl FnMut(u32, f32)) {
+        let (low, high) = (self.bin(ranges[0].min(ranges[1])), self.bin(ranges[0].max(ranges[1])));
+        if !(high > 0.0 && low < self.bins as f32) {
+            return;
+        }
+        let (from, to) = (low.max(0.0) as u32, (high.max(0.0) as u32).min(self.bins - 1));
+        let split = split.moved(-self.turn_per_m * 0.5 * (ranges[0] + ranges[1]));
+        for (beam, share) in self.heard_by(split) {
+            let (row, amount) = (beam * self.bins, amount * share);
+            if low >= 0.0 && high as u32 == low as u32 {
+                put(row + from, amount);
+                continue;
+            }
+            let per_bin = amount / (high - low);
+            for bin in from..=to {
+                let overlap = (high.min(bin as f32 + 1.0) - low.max(bin as f32)).max(0.0);
+                put(row + bin, per_bin * overlap);
+            }
+        }
+    }
+
+    /// A range in bins from the nearest edge.
+    #[inline]
+    fn bin(self, range: f32) -> f32 {
+        (range - self.near) * self.per_m
+    }
+
+    /// The beams of the grid that hear a sample, with their shares.
+    #[inline]
+    fn heard_by(self, split: Split) -> impl Iterator<Item = (u32, f32)> {
+        [(split.first, split.share), (split.first + 1, 1.0 - split.share)]
+            .into_iter()
+            .filter(move |&(beam, share)| share > 0.0 && (0..self.beams).contains(&beam))
+            .map(|(beam, share)| (beam as u32, share))
     }
 }
 
@@ -205,13 +250,15 @@ mod tests {
         ranges: [1.55, 1.25],
         body: 3,
         material: 0,
-        cosine: 1.0,
-        t: 0.0,
+        cosine: 0.5,
+        t: 0.75,
+        rays: 4.0,
+        reflectivity: 0.5,
     };
 
     #[test]
     fn a_patch_fills_the_bins_that_it_spans_and_keeps_its_energy() {
-        let mut cells = Cells::new(GRID, Keep::ENERGY);
+        let mut cells = Cells::new(GRID, Keep::ENERGY, 0.0);
         cells.add(&PATCH);
         let echoes = cells.echoes();
         let close = |cell: usize, energy: f32| {
@@ -226,8 +273,24 @@ mod tests {
     }
 
     #[test]
+    fn rays_are_counted_by_the_range_asked_for() {
+        let rays = |range| {
+            let mut cells = Cells::new(GRID, Keep { rays: Some(range), ..Keep::ENERGY }, 0.0);
+            cells.add(&PATCH);
+            cells.echoes().rays.unwrap()
+        };
+        let slant = rays(RayRange::Slant);
+        assert!((slant.count.iter().sum::<f32>() - 4.0).abs() < 1e-5);
+        assert!((slant.count[3] - 1.0).abs() < 1e-5 && slant.count[6] == 0.0);
+        assert!((slant.mean()[3] - 0.25).abs() < 1e-6 && slant.mean()[6] == 0.0);
+        // cos ε = 0.8: 1.25–1.55 m along the ray are 1.0–1.24 m ahead.
+        let horizontal = rays(RayRange::Horizontal);
+        assert!((horizontal.count[0] - 1.25).abs() < 1e-4 && horizontal.count[3] == 0.0);
+    }
+
+    #[test]
     fn water_is_open_as_far_as_the_surface() {
-        let mut cells = Cells::new(GRID, Keep::ENERGY);
+        let mut cells = Cells::new(GRID, Keep::ENERGY, 0.0);
         let split = Split { first: 1, share: 1.0 };
         cells.add_water(split, 0.5, Some(1.45));
         cells.add_water(split, 0.25, None);

@@ -85,7 +85,7 @@ impl Plane<'_> {
         let mut low = here.map_or(0.0, |segment| segment.t0.max(planes.t_low));
         for sample in 0..self.nearest.len() {
             let next = self.seen(sample + 1);
-            self.deposit_ray(cells, sample, here);
+            self.deposit_water(cells, sample, here);
             let Some(segment) = here else {
                 low = next.map_or(0.0, |segment| segment.t0.max(planes.t[sample]));
                 here = next;
@@ -107,15 +107,12 @@ impl Plane<'_> {
         }
     }
 
-    /// Open water up to what a sample sees, and the sample as a ray.
-    fn deposit_ray(&self, cells: &mut Cells, sample: usize, seen: Option<&Segment>) {
+    /// Open water up to what a sample sees.
+    fn deposit_water(&self, cells: &mut Cells, sample: usize, seen: Option<&Segment>) {
         let Ping { planes, beams, .. } = self.ping;
         let (split, t) = (beams.split(self.number, sample), planes.t[sample]);
         let range = seen.map(|_| (1.0 + t * t).sqrt() / self.nearest[sample]);
         cells.add_water(split, beams.solid_angle[sample], range);
-        if let (Some(range), Some(segment)) = (range, seen) {
-            cells.add_ray(split, range, segment.facing(t) * beams.cosine[sample]);
-        }
     }
 
     fn deposit_piece(&self, cells: &mut Cells, segment: &Segment, piece: Piece) {
@@ -152,7 +149,9 @@ impl Plane<'_> {
             energy *= self.patchiness(material, t, 1.0 / stretch.w);
         }
         let split = beams.split(self.number, piece.sample);
-        cells.add(&Patch { split, energy, ranges: stretch.ranges, body: instance.body, material, cosine, t });
+        let (rays, reflectivity) = (span / planes.t_step, surfaces.reflectivity(material));
+        let (ranges, body) = (stretch.ranges, instance.body);
+        cells.add(&Patch { split, energy, ranges, body, material, cosine, t, rays, reflectivity });
     }
 
     /// Patchiness of a surface at (ρ, ρ·t), by its place in the world.

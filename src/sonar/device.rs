@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::Grid;
 use crate::math::real::radians;
 use crate::math::{Impossible, Pose};
+use crate::physics::motion::change_during_ping;
 
 /// A forward-looking sonar as a recipe or a device file describes it, every figure resolved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,6 +42,9 @@ pub struct Sonar {
     pub source_level_db: f64,
     /// Receive directivity index, dB.
     pub directivity_db: f64,
+    /// Rate at which the vehicle turns during a ping, to port positive, degrees a second: far echoes come back to an array
+    /// that has turned on.
+    pub yaw_rate_deg_s: f64,
     /// Where the sonar sits on its vehicle.
     pub mount: Mount,
 }
@@ -105,6 +109,7 @@ impl Sonar {
         Impossible::outside("bandwidth_khz", self.bandwidth_khz, 0.1, 2.0 * self.frequency_khz)?;
         Impossible::outside("source_level_db", self.source_level_db, 100.0, 260.0)?;
         Impossible::outside("directivity_db", self.directivity_db, 0.0, 60.0)?;
+        Impossible::outside("yaw_rate_deg_s", self.yaw_rate_deg_s, -360.0, 360.0)?;
         let possible = near > 0.0 && far > near && far <= 2000.0;
         let problem = format!("[{near}, {far}] is not 0 < near < far <= 2000");
         Impossible::unless(possible, "range_m", problem, "write [near, far] in metres")
@@ -114,6 +119,12 @@ impl Sonar {
     #[must_use]
     pub fn pulse_m(&self) -> f64 {
         1500.0 / (2.0 * 1000.0 * self.bandwidth_khz)
+    }
+
+    /// Beams that the array turns by while sound travels to a range of 1 m and back, at c = 1500 m/s; to port positive.
+    #[must_use]
+    pub fn turn_beams_per_m(&self) -> f64 {
+        change_during_ping(radians(self.yaw_rate_deg_s), 1.0, 1500.0) / self.grid().beam_rad()
     }
 
     /// The polar grid of a ping.

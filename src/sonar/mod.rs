@@ -8,13 +8,14 @@ mod deposit;
 pub mod device;
 pub mod echoes;
 pub mod fan;
+mod ghosts;
 pub mod grid;
 pub mod surface;
 pub mod trace;
 pub mod visibility;
 
 pub use device::{Bearing, Mount, Sonar};
-pub use echoes::{BodyEcho, Echoes};
+pub use echoes::{BodyEcho, Echoes, RayRange, Rays};
 pub use fan::FanMap;
 pub use grid::Grid;
 pub use trace::{Keep, Tracer, trace};

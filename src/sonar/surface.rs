@@ -25,6 +25,8 @@ struct Surface {
     response: Vec<f32>,
     /// Draws of its patchiness, mean 1; empty for an even surface.
     patches: Vec<f32>,
+    /// |R|² of its impedance.
+    reflectivity: f32,
 }
 
 impl Surfaces {
@@ -34,6 +36,7 @@ impl Surfaces {
         let table = |(number, material): (usize, &Material)| Surface {
             response: (0..=STEPS).map(|i| backscatter(material, i as f64 / STEPS as f64) as f32).collect(),
             patches: material.texture_nu.map_or_else(Vec::new, |nu| patches(nu, scene.texture_seed, number as u64)),
+            reflectivity: material.reflectivity as f32,
         };
         Self { materials: scene.materials.iter().enumerate().map(table).collect(), salt: scene.texture_seed as u32 }
     }
@@ -46,6 +49,13 @@ impl Surfaces {
         let place = cosine.min(1.0) * STEPS as f32;
         let low = (place as usize).min(STEPS - 1);
         table[low] + (place - low as f32) * (table[low + 1] - table[low])
+    }
+
+    /// Power that a material's impedance reflects at normal incidence.
+    #[inline]
+    #[must_use]
+    pub fn reflectivity(&self, material: u16) -> f32 {
+        self.materials[usize::from(material)].reflectivity
     }
 
     /// Whether a material is patchy.

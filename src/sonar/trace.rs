@@ -3,9 +3,10 @@
 use super::beams::Beams;
 use super::cells::Cells;
 use super::deposit::Ping;
+use super::ghosts::Reflection;
 use super::surface::Surfaces;
 use super::visibility::{Planes, Visibility};
-use super::{Echoes, Sonar};
+use super::{Echoes, RayRange, Sonar};
 use crate::math::Pose;
 use crate::scene::Scene;
 
@@ -14,13 +15,13 @@ use crate::scene::Scene;
 pub struct Keep {
     /// Means of elevation, incidence and material: [`super::echoes::Detail`].
     pub detail: bool,
-    /// Counts of rays: [`super::echoes::Rays`].
-    pub rays: bool,
+    /// Counts of rays, sorted by this range: [`super::echoes::Rays`].
+    pub rays: Option<RayRange>,
 }
 
 impl Keep {
     /// Energy alone.
-    pub const ENERGY: Self = Self { detail: false, rays: false };
+    pub const ENERGY: Self = Self { detail: false, rays: None };
 }
 
 /// A sonar made ready: its tables, and buffers used again from ping to ping. One a thread.
@@ -56,16 +57,22 @@ impl Tracer {
     /// Traces one ping of `scene` from `world_from_sonar`.
     pub fn trace(&mut self, scene: &Scene, world_from_sonar: &Pose, keep: Keep) -> Echoes {
         self.visibility.scan(scene, world_from_sonar);
-        let mut cells = Cells::new(self.sonar.grid(), keep);
+        let mut cells = Cells::new(self.sonar.grid(), keep, self.sonar.turn_beams_per_m());
+        let surfaces = Surfaces::new(scene);
         let ping = Ping {
             planes: &self.visibility.planes,
             beams: &self.beams,
             depth: &self.visibility.depth,
             scene,
-            surfaces: &Surfaces::new(scene),
+            surfaces: &surfaces,
             world_from_sonar,
         };
         ping.deposit(&mut cells);
+        for &mirror in &scene.mirrors {
+            let Self { sonar, beams, visibility } = self;
+            let reflection = Reflection { sonar, beams, scene, surfaces: &surfaces, world_from_sonar, mirror };
+            reflection.deposit(visibility, &mut cells);
+        }
         cells.echoes()
     }
 }

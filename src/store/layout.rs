@@ -29,10 +29,13 @@ pub fn frame_name(id: u64) -> String {
     format!("{id:06}")
 }
 
-/// 8-bit picture of a frame.
+/// 8-bit picture of a frame, in a look if it has a name.
 #[must_use]
-pub fn image(view: View, frame: &str) -> String {
-    format!("images/{}/{frame}.png", view.name())
+pub fn image(view: View, frame: &str, look: Option<&str>) -> String {
+    match look {
+        Some(look) => format!("images/{}/{frame}_{look}.png", view.name()),
+        None => format!("images/{}/{frame}.png", view.name()),
+    }
 }
 
 /// 16-bit mask of a frame: body numbers.

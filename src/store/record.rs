@@ -25,7 +25,9 @@ pub struct FrameRecord {
     pub pose: [f64; 6],
     /// Drawn values by their path in the recipe.
     pub values: BTreeMap<String, serde_json::Value>,
-    /// What is seen in each view that was written.
+    /// Names of the looks that each view was imaged with; empty where there is but one, without a name.
+    pub looks: Vec<String>,
+    /// What is seen in each view that was written; the same in every look.
     pub views: BTreeMap<View, ViewRecord>,
     /// The frame's files; [`Store::commit`](super::Store::commit) fills this in.
     pub files: Vec<FileRecord>,
@@ -96,6 +98,12 @@ impl ViewRecord {
 }
 
 impl FrameRecord {
+    /// The looks to go through: their names, or the one without a name.
+    pub fn each_look(&self) -> impl Iterator<Item = Option<&str>> + '_ {
+        let unnamed = self.looks.is_empty().then_some(None);
+        unnamed.into_iter().chain(self.looks.iter().map(|name| Some(name.as_str())))
+    }
+
     /// The frame's file at a path, if it has one.
     #[must_use]
     pub fn file(&self, path: &str) -> Option<&FileRecord> {

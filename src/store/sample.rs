@@ -41,12 +41,13 @@ pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
             ("water.temperature_c".to_owned(), json!(4.0 + id as f64 / 3.0)),
             ("seabed.sediment".to_owned(), json!("fine, \"sand\"")),
         ]),
+        looks: Vec::new(),
         views: BTreeMap::from([View::Polar, View::Fan].map(|view| (view, ViewRecord::new(&labels, &bodies)))),
         files: Vec::new(),
     };
     let pixels: Vec<u8> = (0..48).map(|pixel| (pixel * 5 + id) as u8).collect();
     let files = [View::Polar, View::Fan].into_iter().flat_map(|view| {
-        let image = NewFile { path: layout::image(view, &name), bytes: png::grey8(8, 6, &pixels) };
+        let image = NewFile { path: layout::image(view, &name, None), bytes: png::grey8(8, 6, &pixels) };
         [image, NewFile { path: layout::mask(view, &name), bytes: png::grey16(8, 6, &labels.mask) }]
     });
     (record, files.collect())

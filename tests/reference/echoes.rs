@@ -1,4 +1,4 @@
-//! Rows about what sends sound back: interfaces, bodies, rough surfaces.
+//! Rows about what sends sound back: interfaces, bodies, rough surfaces. What the library refuses is answered with null.
 
 use ensonify::math::real::{power_from_db, radians};
 use ensonify::physics::lambert::{SeabedBin, lambert_mu, seabed_energy, sphere_energy};
@@ -14,10 +14,6 @@ use serde_json::{Value, json};
 use crate::row::Row;
 
 type Answer = Result<Value, String>;
-
-fn text(error: impl std::fmt::Display) -> String {
-    error.to_string()
-}
 
 fn medium(row: &Row, density: &str, speed: &str, loss: f64) -> Result<Medium, String> {
     let [density_kg_m3, sound_speed_m_s] = row.numbers([density, speed])?;
@@ -61,7 +57,7 @@ pub fn target_strength(row: &Row) -> Answer {
     }
     let radius_m = row.number("radius_m")?;
     Ok(json!(if row.has("mu_dB") {
-        let mu = lambert_mu(row.number("mu_dB")?).map_err(text)?;
+        let Ok(mu) = lambert_mu(row.number("mu_dB")?) else { return Ok(Value::Null) };
         incidence.map_or_else(|| lambert_sphere_db(mu, radius_m), |angle| lambert_disc_db(mu, radius_m, angle))
     } else if row.has("length_m") {
         let cylinder = Cylinder { radius_m, length_m: row.number("length_m")? };
@@ -79,8 +75,8 @@ fn wavelength(row: &Row) -> Result<f64, String> {
 
 pub fn lambert(row: &Row) -> Answer {
     let [level, grazing] = row.numbers(["ten_log_mu", "grazing_deg"])?;
-    lambert_mu(level).map_err(text)?;
-    Ok(json!(lambert_strength_db(level, radians(grazing))))
+    let strength = lambert_mu(level).map(|_| lambert_strength_db(level, radians(grazing)));
+    Ok(json!(strength.ok()))
 }
 
 /// Energies for μ = 1 (more than nature allows, as a unit) times the row's μ; α in dB/m.
@@ -88,7 +84,8 @@ pub fn ray_energy(row: &Row) -> Answer {
     let [mu, absorption] = row.numbers(["mu", "alpha"])?;
     let energy = if row.has("center_range_m") {
         let [radius, centre] = row.numbers(["radius_m", "center_range_m"])?;
-        sphere_energy(radius, centre, absorption).map_err(text)?
+        let Ok(energy) = sphere_energy(radius, centre, absorption) else { return Ok(Value::Null) };
+        energy
     } else {
         let [altitude_m, near_m, far_m] = row.numbers(["altitude_m", "r1_m", "r2_m"])?;
         let azimuth_rad = radians(row.number("azimuth_width_deg")?);

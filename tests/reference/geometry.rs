@@ -1,4 +1,4 @@
-//! Rows about geometry and motion.
+//! Rows about geometry and motion. What has no answer is answered with null.
 
 use ensonify::math::real::{degrees, radians};
 use ensonify::physics::bins::{SphereView, bin};
@@ -29,9 +29,10 @@ pub fn sphere_bins(row: &Row) -> Answer {
     if row.word("frame")? != "x fwd, y port(+az), z up" {
         return Err("the axes are others".to_owned());
     }
-    let view = SphereView::new(row.vector("center_xyz_m")?, row.number("radius_m")?).map_err(|e| e.to_string())?;
+    let view = SphereView::new(row.vector("center_xyz_m")?, row.number("radius_m")?);
     let [near, far, field] = row.numbers(["r_min", "r_max", "fov_deg"])?;
     let (ranges, beams) = (row.count("n_range")?, row.count("n_beams")?);
+    let Ok(view) = view else { return Ok(Value::Null) };
     let range_bin = |range| bin(range, [near, far], ranges);
     let beam = |angle| bin(angle, [-0.5 * radians(field), 0.5 * radians(field)], beams);
     Ok(json!({

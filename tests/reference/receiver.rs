@@ -41,14 +41,14 @@ pub fn beam_width(row: &Row) -> Answer {
     let steering = radians(row.number("steer_deg")?);
     let array = |shading: &Shading| LineArray::new(elements, spacing, shading).map_err(|error| error.to_string());
     let [shaded, uniform] = [array(&shading(row.word("shading")?)?)?, array(&Shading::Uniform)?];
-    let width = |array: &LineArray| array.beam_width_rad(steering).ok_or("the beam has no width");
-    if row.expected.is_number() {
-        return Ok(json!(degrees(width(&shaded)?)));
+    let [width, unshaded] = [&shaded, &uniform].map(|array| array.beam_width_rad(steering));
+    if !row.expected.is_object() {
+        return Ok(json!(width.map(degrees)));
     }
     Ok(json!({
-        "bw_deg": degrees(width(&shaded)?),
+        "bw_deg": width.map(degrees),
         "psl_dB": shaded.peak_side_lobe_db(),
-        "broadening": width(&shaded)? / width(&uniform)?,
+        "broadening": width.zip(unshaded).map(|(shaded, uniform)| shaded / uniform),
         "snr_loss_dB": shaded.shading_loss_db(),
     }))
 }

@@ -66,6 +66,7 @@ pub fn sonar(beams: u32, azimuth_deg: f64, range_m: [f64; 2], range_bins: u32) -
         bandwidth_khz: 75.0,
         source_level_db: 210.0,
         directivity_db: 30.0,
+        yaw_rate_deg_s: 0.0,
         mount: Mount { position_m: [0.0; 3], yaw_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 },
     }
 }

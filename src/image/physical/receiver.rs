@@ -150,6 +150,8 @@ mod tests {
     };
     const GRID: Grid = Grid { beams: 4, bins: 100, azimuth_deg: 1.0, near_m: 0.5, far_m: 10.5 };
     const CHANNEL: Channel = Channel {
+        frequency_khz: 900.0,
+        water: crate::physics::Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 },
         absorption_db_per_m: 0.3,
         gain_absorption_db_per_m: 0.25,
         volume_per_m: 1e-6,

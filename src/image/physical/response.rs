@@ -147,7 +147,7 @@ impl Work for ToAperture<'_> {
     }
 }
 
-/// Mean power in one direction: echoes and open water of the beams that it hears, and noise.
+/// Mean power in one direction: echoes, ghosts and open water of the beams that it hears, and noise.
 ///
 /// A complex Gaussian field plus complex Gaussian noise is one complex Gaussian whose mean power is the sum, so one draw
 /// serves both. Source: Goodman (2007), Speckle Phenomena in Optics, ch. 3.
@@ -163,6 +163,10 @@ fn mean_power(power: &mut [f32], heard: &[(usize, f32)], echoes: &Echoes, at: (u
         let water = &echoes.water[beam * bins + start..beam * bins + end];
         for i in 0..power.len() {
             power[i] += share * (energy[i] * echo[i] + water[i] * volume[i]);
+        }
+        if let Some(ghosts) = &echoes.ghosts {
+            let ghosts = &ghosts[beam * bins + start..beam * bins + end];
+            power.iter_mut().zip(ghosts).zip(echo).for_each(|((power, ghost), echo)| *power += share * ghost * echo);
         }
     }
 }

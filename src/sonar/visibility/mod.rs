@@ -12,7 +12,7 @@ pub use planes::Planes;
 pub use scan::{DepthBuffer, Segment};
 
 use crate::math::Pose;
-use crate::scene::{Cluster, Scene};
+use crate::scene::{Cluster, Instance, Scene};
 use scan::{Tag, Vertices};
 
 /// What one sample of a ping meets.
@@ -45,10 +45,21 @@ impl Visibility {
 
     /// Finds the nearest surface at every sample of a ping from `world_from_sonar`.
     pub fn scan(&mut self, scene: &Scene, world_from_sonar: &Pose) {
+        self.scan_instances(scene, world_from_sonar, &DAffine3::IDENTITY, |_| true);
+    }
+
+    /// As [`Visibility::scan`], of some instances only and with the whole world moved by `moved`.
+    pub fn scan_instances(
+        &mut self,
+        scene: &Scene,
+        world_from_sonar: &Pose,
+        moved: &DAffine3,
+        wanted: impl Fn(&Instance) -> bool,
+    ) {
         self.depth.clear(&self.planes);
         let back = world_from_sonar.inverse();
-        let sonar_from_world = DAffine3 { matrix3: back.rotation, translation: back.position };
-        for (number, instance) in scene.instances.iter().enumerate() {
+        let sonar_from_world = DAffine3 { matrix3: back.rotation, translation: back.position } * *moved;
+        for (number, instance) in scene.instances.iter().enumerate().filter(|(_, instance)| wanted(instance)) {
             let sonar_from_mesh = Transform::new(&(sonar_from_world * instance.world_from_mesh));
             for cluster in &instance.mesh.clusters {
                 if !sonar_from_mesh.may_see(cluster, &self.planes) {

@@ -84,6 +84,7 @@ fn water_and_frequency_change_levels_as_the_equations_say() {
         bandwidth_khz: 100.0,
         source_level_db: 210.0,
         directivity_db: 30.0,
+        yaw_rate_deg_s: 0.0,
         mount: Mount { position_m: [0.0; 3], yaw_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 },
     };
     let sea = Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 };

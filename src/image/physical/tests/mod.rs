@@ -7,6 +7,7 @@ mod statistics;
 
 use super::*;
 use crate::image::{Display, ImageModel, Model};
+use crate::physics::Water;
 use crate::physics::shading::Shading;
 
 const PERFECT: Array = Array {
@@ -31,6 +32,8 @@ const IDEAL: Physical = Physical { array: PERFECT, pulse: Pulse::Tone, receiver:
 const GRID: Grid = Grid { beams: 256, bins: 512, azimuth_deg: 120.0, near_m: 1.0, far_m: 11.24 };
 /// Bins of 20 mm, pulses of 7.5 mm: one sample of the pulse a bin.
 const CHANNEL: Channel = Channel {
+    frequency_khz: 900.0,
+    water: Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 },
     absorption_db_per_m: 0.0,
     gain_absorption_db_per_m: 0.0,
     volume_per_m: 0.0,
