@@ -116,6 +116,7 @@ mod tests {
         bandwidth_hz: 1e5,
         source_level_db: 210.0,
         absorption_db_per_m: 0.0,
+        gain_absorption_db_per_m: 0.0,
         noise_power: 0.0,
         beam_width_deg: 0.5,
         pulse_m: 0.01,

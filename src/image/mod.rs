@@ -95,6 +95,9 @@ pub enum Noise {
 pub struct Channel {
     /// Absorption by water and what is suspended in it, dB/m one way.
     pub absorption_db_per_m: f64,
+    /// Absorption that the gain makes up for, dB/m: the clear water's. Temperature and salinity are set on a sonar, turbidity
+    /// is not.
+    pub gain_absorption_db_per_m: f64,
     /// Backscattering cross-section of the water's volume, m⁻¹.
     pub volume_per_m: f64,
     /// Power of the receiver's noise in the unit of the echoes: relative to the source's power at 1 m.
@@ -124,6 +127,7 @@ impl Channel {
         let noise = levels::band_level_db(spectrum, bandwidth_hz) - sonar.directivity_db;
         Self {
             absorption_db_per_m: water.absorption_db_per_m(sonar.frequency_khz),
+            gain_absorption_db_per_m: water.water.absorption_db_per_m(sonar.frequency_khz),
             volume_per_m: water.suspension(sonar.frequency_khz).value.backscatter_per_m,
             noise_power: power_from_db(noise - sonar.source_level_db),
             beam_width_deg: sonar.beam_width_deg,

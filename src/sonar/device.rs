@@ -101,12 +101,12 @@ impl Sonar {
         Impossible::outside("beams", f64::from(self.beams), 1.0, most)?;
         Impossible::outside("elevations", f64::from(self.elevations), 2.0, most)?;
         Impossible::outside("range_bins", f64::from(self.range_bins), 1.0, most)?;
-        Impossible::outside("azimuth_deg", self.azimuth_deg, above_0, Self::MAX_AZIMUTH_DEG)?;
+        Impossible::outside("azimuth_deg", self.azimuth_deg, 0.01, Self::MAX_AZIMUTH_DEG)?;
         Impossible::outside("elevation_deg", self.elevation_deg, above_0, Self::MAX_ELEVATION_DEG)?;
         Impossible::outside("beam_width_deg", self.beam_width_deg, 0.02, 45.0)?;
         Impossible::outside("vertical_beam_deg", self.vertical_beam_deg.unwrap_or(1.0), above_0, 180.0)?;
         Impossible::outside("frequency_khz", self.frequency_khz, 10.0, 10_000.0)?;
-        Impossible::outside("bandwidth_khz", self.bandwidth_khz, above_0, 2.0 * self.frequency_khz)?;
+        Impossible::outside("bandwidth_khz", self.bandwidth_khz, 0.1, 2.0 * self.frequency_khz)?;
         Impossible::outside("source_level_db", self.source_level_db, 100.0, 260.0)?;
         Impossible::outside("directivity_db", self.directivity_db, 0.0, 60.0)?;
         Impossible::outside("yaw_rate_deg_s", self.yaw_rate_deg_s, -360.0, 360.0)?;

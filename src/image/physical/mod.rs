@@ -87,7 +87,7 @@ impl Chain {
         let levels = receiver.levels(grid, channel, &Given { pulse, cell_gain, tvg_db_per_decade, noise });
         let cell_m2 = grid.beam_rad() * grid.bin_m();
         let footprint_m2 = tables.even.iter().map(|even| even * cell_gain * cell_m2).collect();
-        let gain = |bin| receiver.gain_db(tvg_db_per_decade, channel.absorption_db_per_m, grid.range_m(bin));
+        let gain = |bin| receiver.gain_db(tvg_db_per_decade, channel.gain_absorption_db_per_m, grid.range_m(bin));
         Self {
             gain_db: (0..grid.bins).map(gain).collect(),
             footprint_m2,

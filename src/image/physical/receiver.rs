@@ -99,7 +99,7 @@ impl Receiver {
             levels.echo.push(echo as f32);
             levels.volume.push((echo * volume_energy(channel.volume_per_m, grid.bin_m(), range)) as f32);
             levels.noise.push(noise as f32);
-            let gain = self.gain_db(given.tvg_db_per_decade, channel.absorption_db_per_m, range);
+            let gain = self.gain_db(given.tvg_db_per_decade, channel.gain_absorption_db_per_m, range);
             levels.full_scale.push(match given.noise {
                 Noise::Heard => 0.5 * steady * power_from_db(self.full_scale_db + self.max_gain_db - gain),
                 Noise::Silent => f64::INFINITY,
@@ -153,6 +153,7 @@ mod tests {
         frequency_khz: 900.0,
         water: crate::physics::Water { temperature_c: 10.0, salinity_ppt: 35.0, ph: 8.0, depth_m: 10.0 },
         absorption_db_per_m: 0.3,
+        gain_absorption_db_per_m: 0.25,
         volume_per_m: 1e-6,
         noise_power: 1e-14,
         beam_width_deg: 0.6,
@@ -202,7 +203,7 @@ mod tests {
     fn full_scale_moves_with_the_gain() {
         let levels = levels(Noise::Heard);
         let above = |bin: u32| 10.0 * log10(levels.full_scale[bin as usize] / 0.5e-14);
-        let gain = |bin: u32| RECEIVER.gain_db(30.0, 0.3, GRID.range_m(bin));
+        let gain = |bin: u32| RECEIVER.gain_db(30.0, 0.25, GRID.range_m(bin));
         for bin in [10, 90] {
             assert!((above(bin) - (72.0 + 60.0 - gain(bin))).abs() < 1e-9);
         }
