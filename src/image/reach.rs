@@ -32,6 +32,7 @@ mod tests {
     fn at_the_reach_echo_and_noise_are_level() {
         let channel = Channel {
             absorption_db_per_m: 0.2,
+            gain_absorption_db_per_m: 0.2,
             volume_per_m: 0.0,
             noise_power: 1e-14,
             beam_width_deg: 1.0,
