@@ -6,11 +6,11 @@ use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
 
-use super::sections::{ObjectEntry, Sections, World};
-use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan};
+use super::sections::{ObjectEntry, SWEPT, Sections, World};
+use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, VariantPlan};
 use crate::catalog::{CatalogError, materials};
 use crate::math::rng::Stream;
-use crate::recipe::{Address, Draws, Level, Recipe};
+use crate::recipe::{Address, Draws, Level, Recipe, Variant};
 use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
@@ -20,44 +20,78 @@ use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
 /// # Errors
 /// The first fault of the recipe, of a catalog or of a model, located in the recipe.
 pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCache) -> Result<Plan, PlanError> {
-    let compiler = Compiler { sections: Sections::new(recipe, recipe_dir)?, recipe_dir, assets };
-    let header = compiler.sections.header(stem)?;
+    let variants = recipe.variants(&SWEPT)?;
+    let unswept = [Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
+    let all = if variants.is_empty() { &unswept[..] } else { &variants };
+    let first = Sections::new(&all[0].recipe, recipe_dir)?;
+    let header = first.header(stem, all.len() as u64)?;
+    let names = variants.iter().enumerate().map(|(number, variant)| named(number, variant, header.seed)).collect();
     let mut plan = Plan {
         ensonify: env!("CARGO_PKG_VERSION"),
         header,
+        variants: names,
         assets: BTreeMap::new(),
         scenes: Vec::new(),
         jobs: Vec::new(),
     };
-    for index in 0..plan.header.scenes {
-        let scene = compiler.scene(&plan.header, index, &mut plan.assets)?;
-        let split = scene.split;
-        plan.scenes.push(scene);
-        for frame in 0..plan.header.frames {
-            let address = Address { seed: plan.header.seed, scene: index, level: Level::Frame(frame) };
-            let sections = compiler.sections.frame(&address)?;
-            plan.jobs.push(Job {
-                id: index * plan.header.frames + frame,
-                scene: index,
-                frame,
-                split,
-                sonar: sections.sonar,
-                looks: sections.looks,
-                trajectory: sections.trajectory,
-                drawn: sections.drawn,
-            });
-        }
+    let mut first = Some(first);
+    for (number, variant) in all.iter().enumerate() {
+        let sections = match first.take() {
+            Some(sections) => sections,
+            None => Sections::new(&variant.recipe, recipe_dir)?,
+        };
+        let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
+        let variant = plan.variants.get(number).map(|variant| variant.id.clone());
+        Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
     }
     Ok(plan)
 }
 
+/// A variant as the plan tells of it.
+fn named(number: usize, variant: &Variant, seed: u64) -> VariantPlan {
+    let seed = match variant.repeat {
+        None | Some(0) => seed,
+        Some(repeat) => Stream::at(seed, "variant", repeat, "seed").bits(),
+    };
+    let (id, description) = (format!("v{number:03}"), variant.description());
+    VariantPlan { id, description, set: variant.set.clone(), repeat: variant.repeat, seed }
+}
+
+/// One variant on its way into the plan.
 struct Compiler<'a> {
     sections: Sections,
     recipe_dir: &'a Path,
     assets: &'a AssetCache,
+    seed: u64,
+    variant: Option<String>,
 }
 
 impl Compiler<'_> {
+    /// Adds every scene and frame of the variant to the plan.
+    fn scenes(&self, plan: &mut Plan) -> Result<(), PlanError> {
+        for index in 0..plan.header.scenes {
+            let scene = self.scene(&plan.header, index, &mut plan.assets)?;
+            let split = scene.split;
+            plan.scenes.push(scene);
+            for frame in 0..plan.header.frames {
+                let address = Address { seed: self.seed, scene: index, level: Level::Frame(frame) };
+                let sections = self.sections.frame(&address)?;
+                plan.jobs.push(Job {
+                    id: plan.jobs.len() as u64,
+                    variant: self.variant.clone(),
+                    scene: index,
+                    frame,
+                    split,
+                    sonar: sections.sonar,
+                    looks: sections.looks,
+                    trajectory: sections.trajectory,
+                    drawn: sections.drawn,
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// Draws a scene: its world, then every instance of every item of `objects`.
     fn scene(
         &self,
@@ -66,7 +100,7 @@ impl Compiler<'_> {
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<ScenePlan, PlanError> {
         let mut drawn = Draws::new();
-        let address = |level| Address { seed: header.seed, scene: index, level };
+        let address = |level| Address { seed: self.seed, scene: index, level };
         let World { seabed, environment, multipath } = self.sections.world(&address(Level::Scene), &mut drawn)?;
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
@@ -75,13 +109,14 @@ impl Compiler<'_> {
             for instance in 0..u64::from(count) {
                 let entry = self.sections.object(item, &address(Level::Instance(instance)), &mut drawn)?;
                 let purpose = format!("objects[{item}]#{instance}.pick");
-                let mut choice = Stream::at(header.seed, "scene", index, &purpose);
+                let mut choice = Stream::at(self.seed, "scene", index, &purpose);
                 spec.bodies.push(self.body(item, entry, &mut choice, locks)?);
                 items.push(item);
             }
         }
         self.check(&spec, &items, locks)?;
-        Ok(ScenePlan { index, split: header.splits.of_scene(header.seed, index), spec, drawn })
+        let (variant, seed) = (self.variant.clone(), self.seed);
+        Ok(ScenePlan { variant, index, seed, split: header.splits.of_scene(header.seed, index), spec, drawn })
     }
 
     /// Chooses a model for an instance, all that match being equally likely.

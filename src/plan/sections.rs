@@ -15,7 +15,7 @@ use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "ensonify",
     "name",
     "seed",
@@ -33,7 +33,12 @@ const KEYS: [&str; 17] = [
     "labels",
     "splits",
     "output",
+    "sweep",
 ];
+
+/// Sections that a sweep may vary: what differs from scene to scene or frame to frame.
+pub(super) const SWEPT: [&str; 8] =
+    ["sonar", "water", "seabed", "environment", "multipath", "objects", "trajectory", "image"];
 
 /// Most frames of one dataset.
 const MAX_JOBS: u64 = 10_000_000;
@@ -119,8 +124,8 @@ impl Sections {
         Ok(Self { tree, looks, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
     }
 
-    /// What holds for the whole dataset; `stem` names it where the recipe does not.
-    pub fn header(&self, stem: &str) -> Result<Header, recipe::Error> {
+    /// What holds for the whole dataset of so many variants; `stem` names it where the recipe does not.
+    pub fn header(&self, stem: &str, variants: u64) -> Result<Header, recipe::Error> {
         let name: Option<String> = self.tree.section("name")?;
         let header = Header {
             name: name.unwrap_or_else(|| stem.to_owned()),
@@ -141,8 +146,10 @@ impl Sections {
                 return Err(self.tree.reject(key, "there must be at least 1", "write a whole number from 1"));
             }
         }
-        if header.scenes.checked_mul(header.frames).is_none_or(|jobs| jobs > MAX_JOBS) {
-            let message = format!("scenes x frames is more than {MAX_JOBS}");
+        let jobs = header.scenes.checked_mul(header.frames).and_then(|jobs| jobs.checked_mul(variants));
+        if jobs.is_none_or(|jobs| jobs > MAX_JOBS) {
+            let swept = if variants > 1 { " x variants" } else { "" };
+            let message = format!("scenes x frames{swept} is more than {MAX_JOBS}");
             return Err(self.tree.reject("scenes", &message, "make several datasets"));
         }
         if !header.splits.possible() {

@@ -151,17 +151,18 @@ impl Shift<'_> {
                     self.fail(id, "it made the program panic, which is a bug: please report it".into());
                 }
             }
-            self.worlds.done(self.project.plan.jobs[id as usize].scene);
+            self.worlds.done(&self.project.plan.jobs[id as usize]);
         }
     }
 
     fn frame(&self, renderer: &mut Renderer, id: u64) -> Result<(), FrameFault> {
         let plan = &self.project.plan;
         let job = &plan.jobs[id as usize];
-        let world = self.worlds.get(job.scene).map_err(FrameFault::Frame)?;
+        let world = self.worlds.get(job).map_err(FrameFault::Frame)?;
         if job.frame == 0 {
             for dropped in &world.built().dropped {
-                let what = format!("scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
+                let variant = job.variant.as_ref().map(|id| format!("{id} ")).unwrap_or_default();
+                let what = format!("{variant}scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
                 self.watch.note(&what);
             }
         }

@@ -52,12 +52,15 @@ impl Renderer {
         let echoes = tracer.trace(world.scene(), &world_from_sonar, keep);
         let others = second
             .map(|range| tracer.trace(world.scene(), &world_from_sonar, Keep { rays: Some(range), ..Keep::ENERGY }));
+        // All looks of a frame share their random draws: the same scatterers under other conditions.
+        let number = header.number_in_variant(job.scene, job.frame);
+        let stream = || Stream::at(world.seed(), "frame", number, "image");
         let greys: Vec<Vec<u8>> = job
             .looks
             .iter()
             .map(|look| match &others {
-                Some(others) if look.image.rays() == second => grey(header, job, look, others),
-                _ => grey(header, job, look, &echoes),
+                Some(others) if look.image.rays() == second => grey(job, look, others, stream()),
+                _ => grey(job, look, &echoes, stream()),
             })
             .collect();
         let view = |&view: &View| match view {
@@ -88,10 +91,9 @@ impl Renderer {
     }
 }
 
-/// The grey cells of one look. All looks of a frame share their random draws: the same scatterers under other conditions.
-fn grey(header: &Header, job: &Job, look: &Look, echoes: &Echoes) -> Vec<u8> {
+/// The grey cells of one look.
+fn grey(job: &Job, look: &Look, echoes: &Echoes, mut stream: Stream) -> Vec<u8> {
     let channel = Channel::new(&job.sonar, &look.water);
-    let mut stream = Stream::at(header.seed, "frame", job.id, "image");
     image::form(echoes, &look.image, &channel, &mut stream)
 }
 
