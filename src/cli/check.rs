@@ -46,6 +46,9 @@ impl Check {
                 eprintln!("note: no scene falls into the split {split}; more scenes fill it");
             }
         }
+        for note in &project.notes {
+            eprintln!("note: {note}");
+        }
         for dropped in &world.built().dropped {
             eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
         }

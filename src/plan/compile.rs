@@ -6,11 +6,11 @@ use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
 
-use super::sections::{ObjectEntry, SWEPT, Sections, World};
+use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
 use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, VariantPlan};
 use crate::catalog::{CatalogError, materials};
 use crate::math::rng::Stream;
-use crate::recipe::{Address, Draws, Level, Recipe, Variant};
+use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
 use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
@@ -20,6 +20,7 @@ use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
 /// # Errors
 /// The first fault of the recipe, of a catalog or of a model, located in the recipe.
 pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCache) -> Result<Plan, PlanError> {
+    recipe.completed().version()?;
     let variants = recipe.variants(&SWEPT)?;
     let unswept = [Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
     let all = if variants.is_empty() { &unswept[..] } else { &variants };
@@ -45,6 +46,12 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
         Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
     }
     Ok(plan)
+}
+
+/// What a person should know of a recipe that can be run.
+#[must_use]
+pub fn notes(recipe: &Recipe) -> Vec<recipe::Error> {
+    recipe.unused_lets(recipe.node())
 }
 
 /// A variant as the plan tells of it.
@@ -74,8 +81,9 @@ impl Compiler<'_> {
             let split = scene.split;
             plan.scenes.push(scene);
             for frame in 0..plan.header.frames {
-                let address = Address { seed: self.seed, scene: index, level: Level::Frame(frame) };
-                let sections = self.sections.frame(&address)?;
+                let address = self.address(index, Level::Frame(frame));
+                let shared = self.sections.lets.draw(&address)?;
+                let sections = self.sections.frame(&Turn { address, shared: &shared })?;
                 plan.jobs.push(Job {
                     id: plan.jobs.len() as u64,
                     variant: self.variant.clone(),
@@ -92,6 +100,10 @@ impl Compiler<'_> {
         Ok(())
     }
 
+    fn address(&self, scene: u64, level: Level) -> Address {
+        Address { seed: self.seed, scene, level }
+    }
+
     /// Draws a scene: its world, then every instance of every item of `objects`.
     fn scene(
         &self,
@@ -100,14 +112,16 @@ impl Compiler<'_> {
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<ScenePlan, PlanError> {
         let mut drawn = Draws::new();
-        let address = |level| Address { seed: self.seed, scene: index, level };
-        let World { seabed, environment, multipath } = self.sections.world(&address(Level::Scene), &mut drawn)?;
+        let shared = self.sections.lets.draw(&self.address(index, Level::Scene))?;
+        drawn.extend(shared.drawn.clone());
+        let turn = |level| Turn { address: self.address(index, level), shared: &shared };
+        let World { seabed, environment, multipath } = self.sections.world(&turn(Level::Scene), &mut drawn)?;
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
-            let count = self.sections.count(item, &address(Level::Scene), &mut drawn)?;
+            let count = self.sections.count(item, &turn(Level::Scene), &mut drawn)?;
             for instance in 0..u64::from(count) {
-                let entry = self.sections.object(item, &address(Level::Instance(instance)), &mut drawn)?;
+                let entry = self.sections.object(item, &turn(Level::Instance(instance)), &mut drawn)?;
                 let purpose = format!("objects[{item}]#{instance}.pick");
                 let mut choice = Stream::at(self.seed, "scene", index, &purpose);
                 spec.bodies.push(self.body(item, entry, &mut choice, locks)?);

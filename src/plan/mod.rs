@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use sha2::{Digest as _, Sha256};
 
-pub use compile::compile;
+pub use compile::{compile, notes};
 pub use error::PlanError;
 pub use header::{Header, Output, Raw, Split, SplitBy, Splits};
 

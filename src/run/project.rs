@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::plan::{Plan, PlanError, compile};
+use crate::plan::{Plan, PlanError, compile, notes};
 use crate::recipe::{self, Recipe};
 use crate::scene::AssetCache;
 
@@ -16,6 +16,8 @@ pub struct Project {
     pub plan_json: Vec<u8>,
     /// Hash of the plan.
     pub plan_hash: String,
+    /// What a person should know of the recipe.
+    pub notes: Vec<recipe::Error>,
     /// The models.
     pub assets: AssetCache,
 }
@@ -41,7 +43,7 @@ impl Project {
         for set in sets {
             recipe_text.push_str(&format!("\n# --set {}", set.replace('\n', " ")));
         }
-        Ok(Self { recipe_text, plan, plan_json, plan_hash, assets })
+        Ok(Self { recipe_text, plan, plan_json, plan_hash, notes: notes(&recipe), assets })
     }
 }
 
