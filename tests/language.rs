@@ -100,3 +100,38 @@ fn a_sweep_may_set_a_shared_draw() {
     let height = |job: usize| plan["jobs"][job]["trajectory"]["orbit"]["altitude_m"].as_f64().expect("a number");
     assert!(height(0) == 2.0 && (3.0..4.0).contains(&height(3)));
 }
+
+#[test]
+fn a_recipe_over_another_and_settings_are_told_in_the_manifest() {
+    let desk = Desk::new();
+    let base = desk.file("parts/base.yaml", &small_recipe(1));
+    let top = "include: parts/base.yaml   # the rest\nensonify: 1\nframes: 2\nsonar: {beams: 64}\n";
+    desk.file("a.yaml", top);
+    let output = desk.run(&["run", "a.yaml", "-o", "out", "--set", "seed=9", "--set", "water.ph=7"]);
+    assert!(output.status.success(), "{}", messages(&output));
+    let read = |name: &str| std::fs::read_to_string(desk.path().join("out").join(name)).expect(name);
+    assert_eq!(read("recipe.yaml"), top, "exactly as given");
+    let manifest: Value = serde_json::from_str(&read("manifest.json")).expect("JSON");
+    let plan: Value = serde_json::from_str(&read("plan.json")).expect("JSON");
+    for told in [&manifest, &plan] {
+        assert_eq!(told["sets"], serde_json::json!(["seed=9", "water.ph=7"]));
+    }
+    assert_eq!(manifest["includes"][0]["name"], "parts/base.yaml");
+    assert_eq!(manifest["includes"][0]["sha256"].as_str().map(str::len), Some(64));
+    assert_eq!((&plan["seed"], &plan["frames"]), (&Value::from(9), &Value::from(2)));
+    assert_eq!(plan["jobs"][0]["sonar"]["beams"], 64);
+    assert_eq!(plan["jobs"][0]["sonar"]["azimuth_deg"], 90.0, "from the file under it");
+    // A fault is told in the file that it stands in.
+    std::fs::write(base, small_recipe(1).replace("wavelength_m", "wavelenth_m")).expect("written");
+    assert!(refusal(&desk, &["a.yaml"]).starts_with("error: parts/base.yaml:8:"), "{}", refusal(&desk, &["a.yaml"]));
+}
+
+#[test]
+fn a_file_outside_is_read_only_when_allowed() {
+    let desk = Desk::new();
+    desk.file("base.yaml", &small_recipe(1));
+    desk.file("below/a.yaml", "ensonify: 1\ninclude: ../base.yaml\n");
+    let message = refusal(&desk, &["below/a.yaml"]);
+    assert!(message.contains("below/a.yaml:2:") && message.contains("--allow-outside"), "{message}");
+    assert!(desk.run(&["check", "below/a.yaml", "--allow-outside"]).status.success());
+}

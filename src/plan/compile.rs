@@ -29,6 +29,7 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
     let names = variants.iter().enumerate().map(|(number, variant)| named(number, variant, header.seed)).collect();
     let mut plan = Plan {
         ensonify: env!("CARGO_PKG_VERSION"),
+        sets: Vec::new(),
         header,
         variants: names,
         assets: BTreeMap::new(),

@@ -29,6 +29,9 @@ use crate::vehicle::Trajectory;
 pub struct Plan {
     /// Version of the program: another version may draw or render other bytes.
     pub ensonify: &'static str,
+    /// Changes that were made to the recipe, `path=value`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub sets: Vec<String>,
     /// What holds for all jobs.
     #[serde(flatten)]
     pub header: Header,

@@ -17,6 +17,8 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     plan_hash: "0123abcd",
     frames: FRAMES,
     recipe_text: "name: sample\n",
+    sets: &[],
+    includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
 };
 
