@@ -7,11 +7,11 @@ use std::path::Path;
 use sha2::{Digest as _, Sha256};
 
 use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
-use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, VariantPlan};
-use crate::catalog::{CatalogError, materials};
+use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, VariantPlan};
+use crate::catalog::{Asset, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
-use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
+use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
 ///
@@ -43,7 +43,7 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
             None => Sections::new(&variant.recipe, recipe_dir)?,
         };
         let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
-        let variant = plan.variants.get(number).map(|variant| variant.id.clone());
+        let variant = plan.variants.get(number).cloned();
         Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
     }
     Ok(plan)
@@ -71,7 +71,7 @@ struct Compiler<'a> {
     recipe_dir: &'a Path,
     assets: &'a AssetCache,
     seed: u64,
-    variant: Option<String>,
+    variant: Option<VariantPlan>,
 }
 
 impl Compiler<'_> {
@@ -87,7 +87,7 @@ impl Compiler<'_> {
                 let sections = self.sections.frame(&Turn { address, shared: &shared })?;
                 plan.jobs.push(Job {
                     id: plan.jobs.len() as u64,
-                    variant: self.variant.clone(),
+                    variant: self.variant.as_ref().map(|variant| variant.id.clone()),
                     scene: index,
                     frame,
                     split,
@@ -117,6 +117,11 @@ impl Compiler<'_> {
         drawn.extend(shared.drawn.clone());
         let turn = |level| Turn { address: self.address(index, level), shared: &shared };
         let World { seabed, environment, multipath } = self.sections.world(&turn(Level::Scene), &mut drawn)?;
+        let split = self.split(header, index)?;
+        if let (SplitBy::Asset, Some(Labels::ByNode)) = (header.splits.by, environment.as_ref().map(|e| e.labels)) {
+            let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
+            return Err(self.refuse("environment.labels", &fault));
+        }
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
@@ -125,28 +130,50 @@ impl Compiler<'_> {
                 let entry = self.sections.object(item, &turn(Level::Instance(instance)), &mut drawn)?;
                 let purpose = format!("objects[{item}]#{instance}.pick");
                 let mut choice = Stream::at(self.seed, "scene", index, &purpose);
-                spec.bodies.push(self.body(item, entry, &mut choice, locks)?);
+                spec.bodies.push(self.body(item, entry, &mut Choice { stream: &mut choice, header, split }, locks)?);
                 items.push(item);
             }
         }
         self.check(&spec, &items, locks)?;
-        let (variant, seed) = (self.variant.clone(), self.seed);
-        Ok(ScenePlan { variant, index, seed, split: header.splits.of_scene(header.seed, index), spec, drawn })
+        let (variant, seed) = (self.variant.as_ref().map(|variant| variant.id.clone()), self.seed);
+        Ok(ScenePlan { variant, index, seed, split, spec, drawn })
     }
 
-    /// Chooses a model for an instance, all that match being equally likely.
+    /// The split of a scene: the same in all variants, but where variants themselves are dealt out.
+    fn split(&self, header: &Header, scene: u64) -> Result<Split, PlanError> {
+        match (header.splits.by, &self.variant) {
+            (SplitBy::Scene | SplitBy::Asset, _) => Ok(header.splits.of_scene(header.seed, scene)),
+            (SplitBy::Variant, Some(variant)) => Ok(header.splits.of_key(header.seed, &variant.description)),
+            (SplitBy::Variant, None) => {
+                let fault = "there are no variants to deal out; add a `sweep`, or write `by: scene`";
+                Err(self.refuse("splits.by", &fault))
+            }
+        }
+    }
+
+    /// Chooses a model for an instance, all that match being equally likely; of the scene's split alone where models are
+    /// dealt out.
     fn body(
         &self,
         item: usize,
         entry: ObjectEntry,
-        choice: &mut Stream,
+        choice: &mut Choice<'_>,
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<BodySpec, PlanError> {
         let refuse = |fault: CatalogError| self.refuse(&format!("objects[{item}].pick"), &fault);
         let ObjectEntry { label, pick, pose } = entry;
         let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let matching = catalog.pick(&pick).map_err(refuse)?;
-        let asset = matching[choice.below(matching.len() as u64) as usize];
+        let dealt = choice.dealt(matching);
+        if dealt.is_empty() {
+            let fault = format!(
+                "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
+                 split by scene",
+                choice.split
+            );
+            return Err(self.refuse(&format!("objects[{item}].pick"), &fault));
+        }
+        let asset = dealt[choice.stream.below(dealt.len() as u64) as usize];
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
         let key = format!("{}/{}", pick.catalog, asset.uid);
         if let Entry::Vacant(place) = locks.entry(key) {
@@ -205,6 +232,27 @@ impl Compiler<'_> {
 
     fn unreadable(&self, item: usize, path: &Path, error: &std::io::Error) -> PlanError {
         self.refuse(&format!("objects[{item}].pick"), &format!("{} cannot be read: {error}", path.display()))
+    }
+}
+
+/// Who chooses a model, and for which split.
+struct Choice<'a> {
+    stream: &'a mut Stream,
+    header: &'a Header,
+    split: Split,
+}
+
+impl Choice<'_> {
+    /// Those of the models that scenes of this split may show.
+    ///
+    /// Dealt by uid alone: a catalog may be reached by several names.
+    fn dealt<'m>(&self, matching: Vec<&'m Asset>) -> Vec<&'m Asset> {
+        let Header { splits, seed, .. } = self.header;
+        let of_ours = |asset: &&Asset| splits.of_key(*seed, &asset.uid) == self.split;
+        match splits.by {
+            SplitBy::Scene | SplitBy::Variant => matching,
+            SplitBy::Asset => matching.into_iter().filter(of_ours).collect(),
+        }
     }
 }
 

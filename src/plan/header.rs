@@ -75,6 +75,11 @@ pub struct Splits {
 pub enum SplitBy {
     /// All frames of a scene: a test frame never shows a world seen in training.
     Scene,
+    /// Models too: each is dealt to one split, and scenes pick among those of their own. A test frame never shows an object
+    /// seen in training.
+    Asset,
+    /// All frames of a variant of the sweep: a test frame never shows settings seen in training.
+    Variant,
 }
 
 /// A part of a dataset.
@@ -129,6 +134,13 @@ impl Splits {
         self.at(point - point.floor())
     }
 
+    /// The split of a thing that stands for itself: a model by its uid, a variant by what it sets. Other things never
+    /// move it, so small numbers of things may leave a split empty.
+    #[must_use]
+    pub fn of_key(&self, seed: u64, key: &str) -> Split {
+        self.at(Stream::at(seed, "dataset", 0, &format!("splits/{key}")).unit())
+    }
+
     /// The split at a point of [0, 1) along the shares laid end to end.
     fn at(&self, point: f64) -> Split {
         let point = point * (self.train + self.val + self.test);
@@ -167,6 +179,13 @@ mod tests {
             assert!((15..=17).contains(&count(Split::Train)), "seed {seed}");
             assert!(count(Split::Val) >= 1 && count(Split::Test) >= 1, "seed {seed}");
         }
+    }
+
+    #[test]
+    fn keys_are_dealt_by_themselves_in_the_shares_asked_for() {
+        let count = (0..1000).filter(|i| SPLITS.of_key(7, &format!("starter/{i}")) == Split::Train).count();
+        assert!((760..840).contains(&count), "{count}");
+        assert_eq!(SPLITS.of_key(7, "starter/tire"), SPLITS.of_key(7, "starter/tire"));
     }
 
     #[test]
