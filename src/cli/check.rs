@@ -8,7 +8,7 @@ use super::{Code, RecipeArgs};
 use crate::image::Channel;
 use crate::image::reach::REACH_SEABED_DB;
 use crate::physics::absorption::francois_garrison;
-use crate::plan::{Plan, Splits};
+use crate::plan::Plan;
 use crate::run::World;
 
 /// Most notes on acoustics.
@@ -28,29 +28,32 @@ impl Check {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
         let project = self.recipe.load()?;
         let plan = &project.plan;
-        let world = World::build(plan, 0, &project.assets)?;
+        let world = World::build(&plan.scenes[0], &project.assets)?;
         let mut labels: BTreeMap<&str, u64> = BTreeMap::new();
         for body in plan.scenes.iter().flat_map(|scene| &scene.spec.bodies) {
             *labels.entry(&body.label).or_default() += 1;
         }
         let mut splits: BTreeMap<&str, u64> = BTreeMap::new();
-        plan.jobs.iter().for_each(|job| *splits.entry(job.split).or_default() += 1);
+        plan.jobs.iter().for_each(|job| *splits.entry(job.split.name()).or_default() += 1);
         let list = |counts: &BTreeMap<&str, u64>| {
             counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
         };
         say!("{} is fine", self.recipe.recipe.display());
         say!("  scenes    {}", plan.header.scenes);
+        if !plan.variants.is_empty() {
+            say!("  variants  {}", plan.variants.len());
+            plan.variants.iter().for_each(|variant| say!("    {}  {}", variant.id, variant.description));
+        }
         say!("  frames    {} ({})", plan.jobs.len(), list(&splits));
         say!("  objects   {}", if labels.is_empty() { "none".to_owned() } else { list(&labels) });
         say!("  models    {}", plan.assets.len());
         say!("  plan hash {}", project.plan_hash);
-        let shares = [plan.header.splits.train, plan.header.splits.val, plan.header.splits.test];
-        for (name, share) in Splits::NAMES.into_iter().zip(shares) {
-            if share > 0.0 && !splits.contains_key(name) {
-                eprintln!("note: no scene falls into the split {name}; more scenes fill it");
+        for (split, share) in plan.header.splits.shares() {
+            if share > 0.0 && !splits.contains_key(split.name()) {
+                eprintln!("note: no scene falls into the split {split}; more scenes fill it");
             }
         }
-        for note in acoustic_notes(plan) {
+        for note in project.notes.iter().map(ToString::to_string).chain(acoustic_notes(plan)) {
             eprintln!("note: {note}");
         }
         for dropped in &world.built().dropped {

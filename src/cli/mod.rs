@@ -25,7 +25,8 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 
 use crate::plan::PlanError;
-use crate::run::Project;
+use crate::recipe::Outside;
+use crate::run::{Given, Project};
 
 /// Exit codes, the same for every verb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,11 +77,15 @@ struct RecipeArgs {
     /// Changes a value of the recipe, such as --set frames=5 or --set water.temperature_c=4
     #[arg(long, value_name = "PATH=VALUE")]
     set: Vec<String>,
+    /// Lets `include:` read files outside of the recipe's folder
+    #[arg(long)]
+    allow_outside: bool,
 }
 
 impl RecipeArgs {
     fn load(&self) -> Result<Project, PlanError> {
-        Project::load(&self.recipe, &self.set)
+        let outside = if self.allow_outside { Outside::Allowed } else { Outside::Refused };
+        Project::load(&Given { path: &self.recipe, sets: &self.set, outside })
     }
 }
 

@@ -49,8 +49,12 @@ impl PlanVerb {
 
 fn table(out: &mut dyn io::Write, plan: &Plan) -> io::Result<()> {
     for job in &plan.jobs {
-        write!(out, "{:06} scene {} frame {} {}", job.id, job.scene, job.frame, job.split)?;
-        let scene = &plan.scenes[job.scene as usize];
+        write!(out, "{:06}", job.id)?;
+        if let Some(variant) = &job.variant {
+            write!(out, " {variant}")?;
+        }
+        write!(out, " scene {} frame {} {}", job.scene, job.frame, job.split)?;
+        let scene = plan.scene_of(job);
         for (path, value) in scene.drawn.iter().chain(&job.drawn) {
             write!(out, " {path}={value}")?;
         }
@@ -60,8 +64,11 @@ fn table(out: &mut dyn io::Write, plan: &Plan) -> io::Result<()> {
 }
 
 fn explain(out: &mut dyn io::Write, plan: &Plan, job: &Job) -> io::Result<()> {
-    let scene = &plan.scenes[job.scene as usize];
+    let scene = plan.scene_of(job);
     writeln!(out, "frame {:06}: frame {} of scene {}, split {}", job.id, job.frame, job.scene, job.split)?;
+    if let Some(variant) = plan.variants.iter().find(|variant| Some(&variant.id) == job.variant.as_ref()) {
+        writeln!(out, "variant {}: {}", variant.id, variant.description)?;
+    }
     writeln!(out, "\ndrawn for the scene:")?;
     scene.drawn.iter().try_for_each(|(path, value)| writeln!(out, "  {path} = {value}"))?;
     writeln!(out, "\ndrawn for the frame:")?;

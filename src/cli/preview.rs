@@ -69,12 +69,15 @@ impl Row {
     fn render(project: &Project, header: &Header, id: u64) -> anyhow::Result<Self> {
         let plan: &Plan = &project.plan;
         let job = &plan.jobs[id as usize];
-        let world = World::build(plan, job.scene, &project.assets)?;
+        let world = World::build(plan.scene_of(job), &project.assets)?;
         let frame = Renderer::default().render(header, job, &world);
         let device = job.sonar.device.as_deref().unwrap_or("sonar");
         let [near, far] = job.sonar.range_m;
-        let title =
-            format!("{id:06}  scene {}  frame {}  {}  {device} {near}-{far} m", job.scene, job.frame, job.split);
+        let variant = job.variant.as_ref().map(|id| format!("  {id}")).unwrap_or_default();
+        let title = format!(
+            "{id:06}{variant}  scene {}  frame {}  {}  {device} {near}-{far} m",
+            job.scene, job.frame, job.split
+        );
         let titles = job.looks.iter().map(|look| match &look.name {
             Some(name) => format!("{title}  look {name}"),
             None => title.clone(),

@@ -46,6 +46,8 @@ impl Run {
             plan_hash: &project.plan_hash,
             frames: project.plan.jobs.len() as u64,
             recipe_text: &project.recipe_text,
+            sets: &project.plan.sets,
+            includes: &project.includes,
             plan_json: &project.plan_json,
         };
         let store = Store::open(&folder, &identity)?;

@@ -1,6 +1,6 @@
 //! COCO annotation files: one for each view and split, masks as compressed run lengths.
 //!
-//! Beyond the format's own keys, images name their `scene`, `frame` and `look`, and annotations their `instance` (the value in the
+//! Beyond the format's own keys, images name their `variant`, `scene`, `frame` and `look`, and annotations their `instance` (the value in the
 //! mask image) and `asset`. No dates, so that equal datasets have equal files.
 //! Source: COCO data format, <https://cocodataset.org/#format-data>.
 
@@ -60,6 +60,7 @@ impl<'a> Coco<'a> {
                     file_name: layout::image(view, &frame.name, look),
                     width: record.width,
                     height: record.height,
+                    variant: frame.variant.as_deref(),
                     scene: frame.scene,
                     frame: frame.frame,
                     look,
@@ -115,6 +116,8 @@ struct Image<'a> {
     file_name: String,
     width: u32,
     height: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    variant: Option<&'a str>,
     scene: u64,
     frame: u64,
     #[serde(skip_serializing_if = "Option::is_none")]

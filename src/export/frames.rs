@@ -12,6 +12,9 @@ use crate::store::{FrameRecord, layout};
 const FIXED: [&str; 11] =
     ["id", "name", "split", "scene", "frame", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"];
 
+/// Where the column `variant` goes in the tables of swept recipes: behind the split.
+const VARIANT_COLUMN: usize = 3;
+
 /// Writes the table: the fixed columns, the drawn values that any frame has (sorted by path), then for each view the
 /// number of annotations and the hash of the image, of each look's image where there are several.
 ///
@@ -19,9 +22,13 @@ const FIXED: [&str; 11] =
 /// If `out` cannot be written.
 pub(crate) fn write(out: &mut dyn Write, frames: &BTreeMap<u64, FrameRecord>, views: &[View]) -> io::Result<()> {
     let drawn: BTreeSet<&str> = frames.values().flat_map(|frame| frame.values.keys().map(String::as_str)).collect();
+    let varied = frames.values().any(|frame| frame.variant.is_some());
     let looks: BTreeSet<Option<&str>> = frames.values().flat_map(FrameRecord::each_look).collect();
     let mut table = csv::Writer::from_writer(out);
     let mut header: Vec<String> = FIXED.iter().chain(&drawn).map(ToString::to_string).collect();
+    if varied {
+        header.insert(VARIANT_COLUMN, "variant".to_owned());
+    }
     for view in views.iter().map(|view| view.name()) {
         header.push(format!("annotations_{view}"));
         header.extend(looks.iter().map(|look| match look {
@@ -31,7 +38,11 @@ pub(crate) fn write(out: &mut dyn Write, frames: &BTreeMap<u64, FrameRecord>, vi
     }
     table.write_record(&header)?;
     for frame in frames.values() {
-        table.write_record(row(frame, &drawn, views, &looks))?;
+        let mut row = row(frame, &drawn, views, &looks);
+        if varied {
+            row.insert(VARIANT_COLUMN, frame.variant.clone().unwrap_or_default());
+        }
+        table.write_record(row)?;
     }
     table.flush()
 }

@@ -6,12 +6,12 @@ use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
 
-use super::sections::{ObjectEntry, Sections, World};
-use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan};
-use crate::catalog::{CatalogError, materials};
+use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
+use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, VariantPlan};
+use crate::catalog::{Asset, CatalogError, materials};
 use crate::math::rng::Stream;
-use crate::recipe::{Address, Draws, Level, Recipe};
-use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
+use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
+use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
 ///
@@ -20,44 +20,91 @@ use crate::scene::{AssetCache, BodySpec, SceneError, SceneSpec};
 /// # Errors
 /// The first fault of the recipe, of a catalog or of a model, located in the recipe.
 pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCache) -> Result<Plan, PlanError> {
-    let compiler = Compiler { sections: Sections::new(recipe, recipe_dir)?, recipe_dir, assets };
-    let header = compiler.sections.header(stem)?;
+    recipe.completed().version()?;
+    let variants = recipe.variants(&SWEPT)?;
+    let unswept = [Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
+    let all = if variants.is_empty() { &unswept[..] } else { &variants };
+    let first = Sections::new(&all[0].recipe, recipe_dir)?;
+    let header = first.header(stem, all.len() as u64)?;
+    let names = variants.iter().enumerate().map(|(number, variant)| named(number, variant, header.seed)).collect();
     let mut plan = Plan {
         ensonify: env!("CARGO_PKG_VERSION"),
+        sets: Vec::new(),
         header,
+        variants: names,
         assets: BTreeMap::new(),
         scenes: Vec::new(),
         jobs: Vec::new(),
     };
-    for index in 0..plan.header.scenes {
-        let scene = compiler.scene(&plan.header, index, &mut plan.assets)?;
-        let split = scene.split;
-        plan.scenes.push(scene);
-        for frame in 0..plan.header.frames {
-            let address = Address { seed: plan.header.seed, scene: index, level: Level::Frame(frame) };
-            let sections = compiler.sections.frame(&address)?;
-            plan.jobs.push(Job {
-                id: index * plan.header.frames + frame,
-                scene: index,
-                frame,
-                split,
-                sonar: sections.sonar,
-                looks: sections.looks,
-                trajectory: sections.trajectory,
-                drawn: sections.drawn,
-            });
-        }
+    let mut first = Some(first);
+    for (number, variant) in all.iter().enumerate() {
+        let sections = match first.take() {
+            Some(sections) => sections,
+            None => Sections::new(&variant.recipe, recipe_dir)?,
+        };
+        let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
+        let variant = plan.variants.get(number).cloned();
+        Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
     }
     Ok(plan)
 }
 
+/// What a person should know of a recipe that can be run.
+#[must_use]
+pub fn notes(recipe: &Recipe) -> Vec<recipe::Error> {
+    recipe.unused_lets(recipe.node())
+}
+
+/// A variant as the plan tells of it.
+fn named(number: usize, variant: &Variant, seed: u64) -> VariantPlan {
+    let seed = match variant.repeat {
+        None | Some(0) => seed,
+        Some(repeat) => Stream::at(seed, "variant", repeat, "seed").bits(),
+    };
+    let (id, description) = (format!("v{number:03}"), variant.description());
+    VariantPlan { id, description, set: variant.set.clone(), repeat: variant.repeat, seed }
+}
+
+/// One variant on its way into the plan.
 struct Compiler<'a> {
     sections: Sections,
     recipe_dir: &'a Path,
     assets: &'a AssetCache,
+    seed: u64,
+    variant: Option<VariantPlan>,
 }
 
 impl Compiler<'_> {
+    /// Adds every scene and frame of the variant to the plan.
+    fn scenes(&self, plan: &mut Plan) -> Result<(), PlanError> {
+        for index in 0..plan.header.scenes {
+            let scene = self.scene(&plan.header, index, &mut plan.assets)?;
+            let split = scene.split;
+            plan.scenes.push(scene);
+            for frame in 0..plan.header.frames {
+                let address = self.address(index, Level::Frame(frame));
+                let shared = self.sections.lets.draw(&address)?;
+                let sections = self.sections.frame(&Turn { address, shared: &shared })?;
+                plan.jobs.push(Job {
+                    id: plan.jobs.len() as u64,
+                    variant: self.variant.as_ref().map(|variant| variant.id.clone()),
+                    scene: index,
+                    frame,
+                    split,
+                    sonar: sections.sonar,
+                    looks: sections.looks,
+                    trajectory: sections.trajectory,
+                    drawn: sections.drawn,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn address(&self, scene: u64, level: Level) -> Address {
+        Address { seed: self.seed, scene, level }
+    }
+
     /// Draws a scene: its world, then every instance of every item of `objects`.
     fn scene(
         &self,
@@ -66,37 +113,67 @@ impl Compiler<'_> {
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<ScenePlan, PlanError> {
         let mut drawn = Draws::new();
-        let address = |level| Address { seed: header.seed, scene: index, level };
-        let World { seabed, environment, multipath } = self.sections.world(&address(Level::Scene), &mut drawn)?;
+        let shared = self.sections.lets.draw(&self.address(index, Level::Scene))?;
+        drawn.extend(shared.drawn.clone());
+        let turn = |level| Turn { address: self.address(index, level), shared: &shared };
+        let World { seabed, environment, multipath } = self.sections.world(&turn(Level::Scene), &mut drawn)?;
+        let split = self.split(header, index)?;
+        if let (SplitBy::Asset, Some(Labels::ByNode)) = (header.splits.by, environment.as_ref().map(|e| e.labels)) {
+            let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
+            return Err(self.refuse("environment.labels", &fault));
+        }
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
-            let count = self.sections.count(item, &address(Level::Scene), &mut drawn)?;
+            let count = self.sections.count(item, &turn(Level::Scene), &mut drawn)?;
             for instance in 0..u64::from(count) {
-                let entry = self.sections.object(item, &address(Level::Instance(instance)), &mut drawn)?;
+                let entry = self.sections.object(item, &turn(Level::Instance(instance)), &mut drawn)?;
                 let purpose = format!("objects[{item}]#{instance}.pick");
-                let mut choice = Stream::at(header.seed, "scene", index, &purpose);
-                spec.bodies.push(self.body(item, entry, &mut choice, locks)?);
+                let mut choice = Stream::at(self.seed, "scene", index, &purpose);
+                spec.bodies.push(self.body(item, entry, &mut Choice { stream: &mut choice, header, split }, locks)?);
                 items.push(item);
             }
         }
         self.check(&spec, &items, locks)?;
-        Ok(ScenePlan { index, split: header.splits.of_scene(header.seed, index), spec, drawn })
+        let (variant, seed) = (self.variant.as_ref().map(|variant| variant.id.clone()), self.seed);
+        Ok(ScenePlan { variant, index, seed, split, spec, drawn })
     }
 
-    /// Chooses a model for an instance, all that match being equally likely.
+    /// The split of a scene: the same in all variants, but where variants themselves are dealt out.
+    fn split(&self, header: &Header, scene: u64) -> Result<Split, PlanError> {
+        match (header.splits.by, &self.variant) {
+            (SplitBy::Scene | SplitBy::Asset, _) => Ok(header.splits.of_scene(header.seed, scene)),
+            (SplitBy::Variant, Some(variant)) => Ok(header.splits.of_key(header.seed, &variant.description)),
+            (SplitBy::Variant, None) => {
+                let fault = "there are no variants to deal out; add a `sweep`, or write `by: scene`";
+                Err(self.refuse("splits.by", &fault))
+            }
+        }
+    }
+
+    /// Chooses a model for an instance, all that match being equally likely; of the scene's split alone where models are
+    /// dealt out.
     fn body(
         &self,
         item: usize,
         entry: ObjectEntry,
-        choice: &mut Stream,
+        choice: &mut Choice<'_>,
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<BodySpec, PlanError> {
         let refuse = |fault: CatalogError| self.refuse(&format!("objects[{item}].pick"), &fault);
         let ObjectEntry { label, pick, pose } = entry;
         let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let matching = catalog.pick(&pick).map_err(refuse)?;
-        let asset = matching[choice.below(matching.len() as u64) as usize];
+        let dealt = choice.dealt(matching);
+        if dealt.is_empty() {
+            let fault = format!(
+                "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
+                 split by scene",
+                choice.split
+            );
+            return Err(self.refuse(&format!("objects[{item}].pick"), &fault));
+        }
+        let asset = dealt[choice.stream.below(dealt.len() as u64) as usize];
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
         let key = format!("{}/{}", pick.catalog, asset.uid);
         if let Entry::Vacant(place) = locks.entry(key) {
@@ -155,6 +232,27 @@ impl Compiler<'_> {
 
     fn unreadable(&self, item: usize, path: &Path, error: &std::io::Error) -> PlanError {
         self.refuse(&format!("objects[{item}].pick"), &format!("{} cannot be read: {error}", path.display()))
+    }
+}
+
+/// Who chooses a model, and for which split.
+struct Choice<'a> {
+    stream: &'a mut Stream,
+    header: &'a Header,
+    split: Split,
+}
+
+impl Choice<'_> {
+    /// Those of the models that scenes of this split may show.
+    ///
+    /// Dealt by uid alone: a catalog may be reached by several names.
+    fn dealt<'m>(&self, matching: Vec<&'m Asset>) -> Vec<&'m Asset> {
+        let Header { splits, seed, .. } = self.header;
+        let of_ours = |asset: &&Asset| splits.of_key(*seed, &asset.uid) == self.split;
+        match splits.by {
+            SplitBy::Scene | SplitBy::Variant => matching,
+            SplitBy::Asset => matching.into_iter().filter(of_ours).collect(),
+        }
     }
 }
 

@@ -24,6 +24,15 @@ pub struct Header {
     pub output: Output,
 }
 
+impl Header {
+    /// Number of a frame among those of its variant: with the seed, the address of its random streams. Frames of different
+    /// variants share it, so that they differ in what was swept alone.
+    #[must_use]
+    pub fn number_in_variant(&self, scene: u64, frame: u64) -> u64 {
+        scene * self.frames + frame
+    }
+}
+
 /// What is written for each frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -66,43 +75,93 @@ pub struct Splits {
 pub enum SplitBy {
     /// All frames of a scene: a test frame never shows a world seen in training.
     Scene,
+    /// Models too: each is dealt to one split, and scenes pick among those of their own. A test frame never shows an object
+    /// seen in training.
+    Asset,
+    /// All frames of a variant of the sweep: a test frame never shows settings seen in training.
+    Variant,
+}
+
+/// A part of a dataset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Split {
+    /// To learn from.
+    Train,
+    /// To choose by.
+    Val,
+    /// To be judged by.
+    Test,
+}
+
+impl Split {
+    /// All splits, in the order of files and tables.
+    pub const ALL: [Self; 3] = [Self::Train, Self::Val, Self::Test];
+
+    /// Name in recipes, files and tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Train => "train",
+            Self::Val => "val",
+            Self::Test => "test",
+        }
+    }
+}
+
+impl std::fmt::Display for Split {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        out.write_str(self.name())
+    }
 }
 
 impl Splits {
-    /// Names of the splits, in the order of files and tables.
-    pub const NAMES: [&'static str; 3] = ["train", "val", "test"];
+    /// Each split with its share.
+    #[must_use]
+    pub fn shares(&self) -> [(Split, f64); 3] {
+        [(Split::Train, self.train), (Split::Val, self.val), (Split::Test, self.test)]
+    }
 
     /// The split of a scene. More scenes never move earlier ones.
     ///
     /// Scenes take points of a golden-ratio sequence with a seeded start: any run of them fills the shares evenly, so ten
     /// scenes at 0.8 / 0.1 / 0.1 do not leave a split empty as independent draws often would.
     #[must_use]
-    pub fn of_scene(&self, seed: u64, scene: u64) -> &'static str {
+    pub fn of_scene(&self, seed: u64, scene: u64) -> Split {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let start = Stream::at(seed, "dataset", 0, "splits").unit();
         let point = start + GOLDEN * scene as f64;
-        let point = (point - point.floor()) * (self.train + self.val + self.test);
+        self.at(point - point.floor())
+    }
+
+    /// The split of a thing that stands for itself: a model by its uid, a variant by what it sets. Other things never
+    /// move it, so small numbers of things may leave a split empty.
+    #[must_use]
+    pub fn of_key(&self, seed: u64, key: &str) -> Split {
+        self.at(Stream::at(seed, "dataset", 0, &format!("splits/{key}")).unit())
+    }
+
+    /// The split at a point of [0, 1) along the shares laid end to end.
+    fn at(&self, point: f64) -> Split {
+        let point = point * (self.train + self.val + self.test);
         let mut edge = 0.0;
-        for (name, share) in Self::NAMES.into_iter().zip([self.train, self.val, self.test]) {
+        let with_share = self.shares().into_iter().filter(|(_, share)| *share > 0.0);
+        let mut last = Split::Train;
+        for (split, share) in with_share {
             edge += share;
+            last = split;
             if point < edge {
-                return name;
+                break;
             }
         }
-        // Rounding at the very end: the last split that has a share.
-        if self.test > 0.0 {
-            "test"
-        } else if self.val > 0.0 {
-            "val"
-        } else {
-            "train"
-        }
+        // Rounding at the very end leaves the last split that has a share.
+        last
     }
 
     /// Whether the shares can be dealt out: none negative, some positive.
     #[must_use]
     pub fn possible(&self) -> bool {
-        let shares = [self.train, self.val, self.test];
+        let shares = self.shares().map(|(_, share)| share);
         shares.iter().all(|share| share.is_finite() && *share >= 0.0) && shares.iter().sum::<f64>() > 0.0
     }
 }
@@ -116,15 +175,22 @@ mod tests {
     #[test]
     fn shares_come_out_as_asked_even_for_few_scenes() {
         for seed in 0..50 {
-            let count = |name| (0..20).filter(|&scene| SPLITS.of_scene(seed, scene) == name).count();
-            assert!((15..=17).contains(&count("train")), "seed {seed}");
-            assert!(count("val") >= 1 && count("test") >= 1, "seed {seed}");
+            let count = |split| (0..20).filter(|&scene| SPLITS.of_scene(seed, scene) == split).count();
+            assert!((15..=17).contains(&count(Split::Train)), "seed {seed}");
+            assert!(count(Split::Val) >= 1 && count(Split::Test) >= 1, "seed {seed}");
         }
+    }
+
+    #[test]
+    fn keys_are_dealt_by_themselves_in_the_shares_asked_for() {
+        let count = (0..1000).filter(|i| SPLITS.of_key(7, &format!("starter/{i}")) == Split::Train).count();
+        assert!((760..840).contains(&count), "{count}");
+        assert_eq!(SPLITS.of_key(7, "starter/tire"), SPLITS.of_key(7, "starter/tire"));
     }
 
     #[test]
     fn an_empty_share_gets_nothing() {
         let all = Splits { train: 1.0, val: 0.0, test: 0.0, by: SplitBy::Scene };
-        assert!((0..1000).all(|scene| all.of_scene(3, scene) == "train"));
+        assert!((0..1000).all(|scene| all.of_scene(3, scene) == Split::Train));
     }
 }

@@ -4,10 +4,11 @@
 //! paths, hence their draws: looks of a frame differ in what they say and in nothing else.
 
 use super::Look;
+use super::sections::{Checker, Turn};
 use crate::image::ImageModel;
 use crate::math::Impossible;
 use crate::physics::TurbidWater;
-use crate::recipe::{self, Address, Draws, Level, Node, Recipe, Tree};
+use crate::recipe::{self, Draws, Level, Node, Recipe, Tree};
 
 /// Sections that a look may change: what comes after the echoes.
 const SECTIONS: [&str; 2] = ["water", "image"];
@@ -21,9 +22,9 @@ pub(super) struct LookTree {
 }
 
 /// The looks of a recipe; one without a name where it has none.
-pub(super) fn read(recipe: &Recipe, tree: &Tree) -> Result<Vec<LookTree>, recipe::Error> {
+pub(super) fn read(recipe: &Recipe, check: &Checker<'_>) -> Result<Vec<LookTree>, recipe::Error> {
     let Some(list) = recipe.node().get("looks") else {
-        return Ok(vec![LookTree { name: None, tree: tree.clone() }]);
+        return Ok(vec![LookTree { name: None, tree: check.tree.clone() }]);
     };
     let help = "write for example `looks: [{name: clear}, {name: warm, water: {temperature_c: 20}}]`";
     if list.items().is_empty() {
@@ -48,9 +49,7 @@ pub(super) fn read(recipe: &Recipe, tree: &Tree) -> Result<Vec<LookTree>, recipe
         }
         let tree = varied.completed();
         for section in SECTIONS {
-            if let Some(node) = tree.at(section) {
-                node.check_distributions(section, Level::Frame(0))?;
-            }
+            check.distributions_of(&tree, section, Level::Frame(0))?;
         }
         looks.push(LookTree { name: Some(name), tree });
     }
@@ -73,10 +72,10 @@ fn name(item: &Node, path: &str) -> Result<String, recipe::Error> {
 
 impl LookTree {
     /// Draws the look for a frame; what was drawn is recorded under the look's name.
-    pub fn draw(&self, address: &Address, drawn: &mut Draws) -> Result<Look, recipe::Error> {
+    pub fn draw(&self, turn: &Turn<'_>, drawn: &mut Draws) -> Result<Look, recipe::Error> {
         let mut section = |path: &str| {
             let missing = || self.tree.reject("", &format!("the section `{path}` is missing"), "");
-            let (node, draws) = self.tree.at(path).ok_or_else(missing)?.draw_recorded(path, address)?;
+            let (node, draws) = turn.draw(self.tree.at(path).ok_or_else(missing)?, path)?;
             drawn.extend(draws.into_iter().map(|(leaf, value)| match &self.name {
                 Some(name) => (format!("looks.{name}.{leaf}"), value),
                 None => (leaf, value),

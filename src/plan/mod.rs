@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use sha2::{Digest as _, Sha256};
 
-pub use compile::compile;
+pub use compile::{compile, notes};
 pub use error::PlanError;
-pub use header::{Header, Output, Raw, SplitBy, Splits};
+pub use header::{Header, Output, Raw, Split, SplitBy, Splits};
 
 use crate::image::ImageModel;
 use crate::physics::TurbidWater;
@@ -29,15 +29,36 @@ use crate::vehicle::Trajectory;
 pub struct Plan {
     /// Version of the program: another version may draw or render other bytes.
     pub ensonify: &'static str,
+    /// Changes that were made to the recipe, `path=value`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub sets: Vec<String>,
     /// What holds for all jobs.
     #[serde(flatten)]
     pub header: Header,
+    /// What a sweep makes of the recipe, in order; nothing without a sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<VariantPlan>,
     /// Models that the scenes use, by `catalog/uid`.
     pub assets: BTreeMap<String, AssetLock>,
-    /// The worlds.
+    /// The worlds: all scenes of the first variant, then of the next.
     pub scenes: Vec<ScenePlan>,
     /// The frames, in order; a job's id is its index.
     pub jobs: Vec<Job>,
+}
+
+/// One variant of a swept recipe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VariantPlan {
+    /// Its name in file names and tables: `v000`, `v001` ….
+    pub id: String,
+    /// What is set, in words.
+    pub description: String,
+    /// What is set, by path.
+    pub set: BTreeMap<String, serde_json::Value>,
+    /// Number of the repeat, where there are several.
+    pub repeat: Option<u64>,
+    /// Seed of its draws: the recipe's, but for repeats after the first.
+    pub seed: u64,
 }
 
 /// A model file pinned by its content.
@@ -58,10 +79,15 @@ pub struct AssetLock {
 /// One drawn world.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScenePlan {
-    /// Number of the scene.
+    /// Its variant, where there is a sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<String>,
+    /// Number of the scene in its variant.
     pub index: u64,
+    /// Seed of its draws.
+    pub seed: u64,
     /// Its split.
-    pub split: &'static str,
+    pub split: Split,
     /// What to build.
     pub spec: SceneSpec,
     /// What was drawn for it, by path.
@@ -84,12 +110,15 @@ pub struct Look {
 pub struct Job {
     /// Number of the job, and of its files.
     pub id: u64,
-    /// Number of its scene.
+    /// Its variant, where there is a sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<String>,
+    /// Number of its scene in its variant.
     pub scene: u64,
     /// Number of the frame in its scene.
     pub frame: u64,
     /// Split of its scene.
-    pub split: &'static str,
+    pub split: Split,
     /// The sonar.
     pub sonar: Sonar,
     /// Pictures of the same echoes, at least one.
@@ -101,6 +130,19 @@ pub struct Job {
 }
 
 impl Plan {
+    /// Index in [`Plan::scenes`] of a job's world.
+    #[must_use]
+    pub fn world_of(&self, job: &Job) -> usize {
+        // Jobs stand in the order of the scenes, so many to each.
+        (job.id / self.header.frames) as usize
+    }
+
+    /// The world of a job.
+    #[must_use]
+    pub fn scene_of(&self, job: &Job) -> &ScenePlan {
+        &self.scenes[self.world_of(job)]
+    }
+
     /// The plan as JSON: what is written to `plan.json`, and what is hashed.
     ///
     /// # Panics

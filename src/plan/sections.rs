@@ -9,13 +9,13 @@ use super::header::{Header, Output, Splits};
 use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
 use crate::label::LabelSettings;
-use crate::recipe::{self, Address, DEFAULTS, Draws, Level, Node, Origin, Recipe, Tree};
+use crate::recipe::{self, Address, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 19] = [
     "ensonify",
     "name",
     "seed",
@@ -33,7 +33,16 @@ const KEYS: [&str; 17] = [
     "labels",
     "splits",
     "output",
+    "let",
+    "sweep",
 ];
+
+/// Sections that a sweep may vary: what differs from scene to scene or frame to frame.
+pub(super) const SWEPT: [&str; 9] =
+    ["let", "sonar", "water", "seabed", "environment", "multipath", "objects", "trajectory", "image"];
+
+/// Keys and sections that are the same for all frames.
+const CONSTANT: [&str; 7] = ["name", "seed", "scenes", "frames", "labels", "splits", "output"];
 
 /// Most frames of one dataset.
 const MAX_JOBS: u64 = 10_000_000;
@@ -54,6 +63,8 @@ pub(super) struct ObjectEntry {
 pub(super) struct Sections {
     /// With defaults.
     pub tree: Tree,
+    /// What several leaves share.
+    pub lets: Lets,
     /// The recipe as each look sees it; at least one.
     looks: Vec<LookTree>,
     /// The user's sonar section alone: device files go between it and the defaults.
@@ -61,6 +72,40 @@ pub(super) struct Sections {
     sonar_defaults: Node,
     devices: std::cell::RefCell<BTreeMap<String, Node>>,
     recipe_dir: std::path::PathBuf,
+}
+
+/// Checks what can be checked without drawing everything: the form of distributions.
+pub(super) struct Checker<'a> {
+    pub tree: &'a Tree,
+    lets: &'a Lets,
+    seed: u64,
+}
+
+impl Checker<'_> {
+    fn distributions(&self, path: &str, level: Level) -> Result<(), recipe::Error> {
+        self.distributions_of(self.tree, path, level)
+    }
+
+    /// The distributions at a path of a tree, with shared draws as they come out first.
+    pub fn distributions_of(&self, tree: &Tree, path: &str, level: Level) -> Result<(), recipe::Error> {
+        let Some(node) = tree.at(path) else { return Ok(()) };
+        let shared = self.lets.draw(&Address { seed: self.seed, scene: 0, level })?;
+        shared.complete_into(node, path)?.check_distributions(path, level)
+    }
+}
+
+/// What is drawn now: an address, and the shared draws there.
+#[derive(Clone, Copy)]
+pub(super) struct Turn<'a> {
+    pub address: Address,
+    pub shared: &'a Shared,
+}
+
+impl Turn<'_> {
+    /// A part of the recipe drawn: shared draws written in, then every leaf; and what was drawn.
+    pub fn draw(&self, node: &Node, path: &str) -> Result<(Node, Draws), recipe::Error> {
+        self.shared.complete_into(node, path)?.draw_recorded(path, &self.address)
+    }
 }
 
 /// What a scene is made of beside its objects.
@@ -81,24 +126,22 @@ pub(super) struct FrameSections {
 impl Sections {
     /// Checks what can be checked without drawing: version, keys, the form of every distribution.
     pub fn new(recipe: &Recipe, recipe_dir: &std::path::Path) -> Result<Self, recipe::Error> {
+        let (recipe, lets) = recipe.with_constants()?;
         let tree = recipe.completed();
-        tree.version()?;
         tree.node().allow_keys("", &KEYS)?;
-        for (section, level) in [
-            ("sonar", Level::Frame(0)),
-            ("water", Level::Frame(0)),
-            ("image", Level::Frame(0)),
-            ("trajectory", Level::Frame(0)),
-            ("seabed", Level::Scene),
-            ("environment", Level::Scene),
-            ("multipath", Level::Scene),
-        ] {
-            if let Some(node) = tree.at(section) {
-                node.check_distributions(section, level)?;
-            }
+        for section in CONSTANT {
+            tree.refuse_draws(section)?;
         }
-        for (i, item) in tree.at("objects").map_or(&[][..], Node::items).iter().enumerate() {
-            item.check_distributions(&format!("objects[{i}]"), Level::Instance(0))?;
+        let seed: u64 = tree.section("seed")?.unwrap_or_default();
+        let check = Checker { tree: &tree, lets: &lets, seed };
+        for section in ["sonar", "water", "image", "trajectory"] {
+            check.distributions(section, Level::Frame(0))?;
+        }
+        for section in ["seabed", "environment", "multipath"] {
+            check.distributions(section, Level::Scene)?;
+        }
+        for i in 0..tree.at("objects").map_or(0, |objects| objects.items().len()) {
+            check.distributions(&format!("objects[{i}]"), Level::Instance(0))?;
         }
         let Some(sonar) = recipe.node().get("sonar").cloned() else {
             let help = "write `sonar: {device: oculus-m1200d-lf, range_m: [0.5, 10]}`";
@@ -112,15 +155,15 @@ impl Sections {
             let help = "write for example `trajectory: {orbit: {radius_m: 5, altitude_m: 2}}`";
             return Err(tree.reject("", "the section `trajectory` is missing", help));
         }
-        let looks = looks::read(recipe, &tree)?;
+        let looks = looks::read(&recipe, &check)?;
         let defaults = recipe::parse("defaults", DEFAULTS, Origin::BuiltIn)?;
         let sonar_defaults = defaults.get("sonar").cloned().unwrap_or_else(|| sonar.clone());
         let recipe_dir = recipe_dir.to_owned();
-        Ok(Self { tree, looks, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir })
+        Ok(Self { lets, looks, sonar, sonar_defaults, devices: std::cell::RefCell::default(), recipe_dir, tree })
     }
 
-    /// What holds for the whole dataset; `stem` names it where the recipe does not.
-    pub fn header(&self, stem: &str) -> Result<Header, recipe::Error> {
+    /// What holds for the whole dataset of so many variants; `stem` names it where the recipe does not.
+    pub fn header(&self, stem: &str, variants: u64) -> Result<Header, recipe::Error> {
         let name: Option<String> = self.tree.section("name")?;
         let header = Header {
             name: name.unwrap_or_else(|| stem.to_owned()),
@@ -141,8 +184,10 @@ impl Sections {
                 return Err(self.tree.reject(key, "there must be at least 1", "write a whole number from 1"));
             }
         }
-        if header.scenes.checked_mul(header.frames).is_none_or(|jobs| jobs > MAX_JOBS) {
-            let message = format!("scenes x frames is more than {MAX_JOBS}");
+        let jobs = header.scenes.checked_mul(header.frames).and_then(|jobs| jobs.checked_mul(variants));
+        if jobs.is_none_or(|jobs| jobs > MAX_JOBS) {
+            let swept = if variants > 1 { " x variants" } else { "" };
+            let message = format!("scenes x frames{swept} is more than {MAX_JOBS}");
             return Err(self.tree.reject("scenes", &message, "make several datasets"));
         }
         if !header.splits.possible() {
@@ -170,21 +215,21 @@ impl Sections {
     }
 
     /// What a scene is made of beside its objects.
-    pub fn world(&self, address: &Address, drawn: &mut Draws) -> Result<World, recipe::Error> {
-        let multipath: Option<Multipath> = self.drawn("multipath", address, drawn)?;
+    pub fn world(&self, turn: &Turn<'_>, drawn: &mut Draws) -> Result<World, recipe::Error> {
+        let multipath: Option<Multipath> = self.drawn("multipath", turn, drawn)?;
         if let Some(Err(fault)) = multipath.as_ref().map(Multipath::validate) {
             return Err(self.tree.reject("multipath", &format!("{}: {}", fault.key, fault.problem), &fault.remedy));
         }
-        let (seabed, environment) = (self.drawn("seabed", address, drawn)?, self.drawn("environment", address, drawn)?);
+        let (seabed, environment) = (self.drawn("seabed", turn, drawn)?, self.drawn("environment", turn, drawn)?);
         Ok(World { seabed, environment, multipath })
     }
 
     /// The sections of one frame.
-    pub fn frame(&self, address: &Address) -> Result<FrameSections, recipe::Error> {
+    pub fn frame(&self, turn: &Turn<'_>) -> Result<FrameSections, recipe::Error> {
         let mut drawn = Draws::new();
-        let sonar = self.sonar(address, &mut drawn)?;
-        let looks = self.looks.iter().map(|look| look.draw(address, &mut drawn)).collect::<Result<_, _>>()?;
-        let trajectory: Trajectory = self.present("trajectory", address, &mut drawn)?;
+        let sonar = self.sonar(turn, &mut drawn)?;
+        let looks = self.looks.iter().map(|look| look.draw(turn, &mut drawn)).collect::<Result<_, _>>()?;
+        let trajectory: Trajectory = self.present("trajectory", turn, &mut drawn)?;
         trajectory.check().map_err(|fault| {
             let kind = self.tree.at("trajectory").and_then(|node| node.entries().first()).map(|(key, _)| &*key.text);
             let path = format!("trajectory.{}.{}", kind.unwrap_or_default(), fault.name);
@@ -195,8 +240,10 @@ impl Sections {
     }
 
     /// The sonar: the user's keys over the device's over the defaults.
-    fn sonar(&self, address: &Address, drawn: &mut Draws) -> Result<Sonar, recipe::Error> {
-        let (user, draws) = self.sonar.draw_recorded("sonar", address)?;
+    fn sonar(&self, turn: &Turn<'_>, drawn: &mut Draws) -> Result<Sonar, recipe::Error> {
+        // Without defaults: those of the device come first.
+        let user = turn.shared.write_into(&self.sonar, "sonar")?;
+        let (user, draws) = user.draw_recorded("sonar", &turn.address)?;
         drawn.extend(draws);
         let under = match user.get("device") {
             Some(device) => self.device(device)?.merged_over(&self.sonar_defaults),
@@ -229,9 +276,9 @@ impl Sections {
     }
 
     /// How many instances an item of `objects` has in a scene.
-    pub fn count(&self, item: usize, address: &Address, drawn: &mut Draws) -> Result<u32, recipe::Error> {
+    pub fn count(&self, item: usize, turn: &Turn<'_>, drawn: &mut Draws) -> Result<u32, recipe::Error> {
         let path = format!("objects[{item}].count");
-        let count: u32 = self.present(&path, address, drawn)?;
+        let count: u32 = self.present(&path, turn, drawn)?;
         if count > 1000 {
             return Err(self.tree.reject(&path, &format!("{count} of one object are too many"), "write at most 1000"));
         }
@@ -239,13 +286,14 @@ impl Sections {
     }
 
     /// One instance of an item of `objects`.
-    pub fn object(&self, item: usize, address: &Address, drawn: &mut Draws) -> Result<ObjectEntry, recipe::Error> {
+    pub fn object(&self, item: usize, turn: &Turn<'_>, drawn: &mut Draws) -> Result<ObjectEntry, recipe::Error> {
         let path = format!("objects[{item}]");
         let Some(node) = self.tree.at(&path) else {
             return Err(self.tree.reject("objects", &format!("there is no item {item}"), ""));
         };
-        let (node, draws) = without(node, "count").draw_recorded(&path, address)?;
-        let Level::Instance(instance) = address.level else { unreachable!("objects are drawn by instance") };
+        let node = turn.shared.complete_into(node, &path)?;
+        let (node, draws) = without(&node, "count").draw_recorded(&path, &turn.address)?;
+        let Level::Instance(instance) = turn.address.level else { unreachable!("objects are drawn by instance") };
         let named = |(leaf, value): (String, _)| {
             (format!("{path}#{instance}{}", leaf.strip_prefix(&path).unwrap_or_default()), value)
         };
@@ -266,11 +314,11 @@ impl Sections {
     fn drawn<T: serde::de::DeserializeOwned>(
         &self,
         path: &str,
-        address: &Address,
+        turn: &Turn<'_>,
         drawn: &mut Draws,
     ) -> Result<Option<T>, recipe::Error> {
         let Some(node) = self.tree.at(path) else { return Ok(None) };
-        let (node, draws) = node.draw_recorded(path, address)?;
+        let (node, draws) = turn.draw(node, path)?;
         drawn.extend(draws);
         node.to(path).map(Some)
     }
@@ -278,11 +326,11 @@ impl Sections {
     fn present<T: serde::de::DeserializeOwned>(
         &self,
         path: &str,
-        address: &Address,
+        turn: &Turn<'_>,
         drawn: &mut Draws,
     ) -> Result<T, recipe::Error> {
         let message = format!("`{path}` is missing");
-        self.drawn(path, address, drawn)?.ok_or_else(|| self.tree.reject("", &message, ""))
+        self.drawn(path, turn, drawn)?.ok_or_else(|| self.tree.reject("", &message, ""))
     }
 }
 

@@ -24,6 +24,11 @@ pub(super) fn complete(recipe: &Node) -> Node {
     BUILT_IN.complete(recipe)
 }
 
+/// A part of a recipe laid over the defaults of its place.
+pub(super) fn complete_at(node: &Node, pattern: &str) -> Node {
+    BUILT_IN.complete_at(node, pattern)
+}
+
 /// One section of a recipe over another, kinds whole.
 pub(super) fn lay_over(over: &Node, under: &Node, section: &str) -> Node {
     BUILT_IN.over(over, under, section)
@@ -50,6 +55,13 @@ impl Defaults {
 
     fn complete(&self, recipe: &Node) -> Node {
         self.fill(&self.over(recipe, &self.values, ""), "")
+    }
+
+    fn complete_at(&self, node: &Node, pattern: &str) -> Node {
+        match self.values.at(pattern) {
+            Some(under) => self.fill(&self.over(node, under, pattern), pattern),
+            None => self.fill(node, pattern),
+        }
     }
 
     /// `node` over `under`, except that a kind replaces another kind whole.

@@ -15,6 +15,8 @@ mod distribution;
 mod draw;
 mod error;
 mod fault;
+mod include;
+mod lets;
 mod merge;
 mod nearest;
 mod node;
@@ -23,14 +25,18 @@ mod path;
 mod scalar;
 mod set;
 mod source;
+mod sweep;
 
 pub use defaults::DEFAULTS;
 pub use draw::{Address, Draws, Level};
 pub use error::Error;
+pub use include::{Included, Outside};
+pub use lets::{Lets, Shared};
 pub use nearest::{did_you_mean, nearest};
 pub use node::{Key, Kind, Node, Style};
 pub use parse::{MAX_BYTES, MAX_DEPTH, MAX_NODES, parse, read};
 pub use source::{Origin, Source, Span};
+pub use sweep::{MAX_VARIANTS, Variant};
 
 use std::path::Path;
 
@@ -78,12 +84,19 @@ impl Recipe {
         self.0.set(path, value)
     }
 
-    /// Puts a value at `path`, as a sweep does.
+    /// Puts a value at `path`, which was written at `place`, as a sweep does.
     ///
     /// # Errors
-    /// A path that leads nowhere; located at the value.
-    pub fn put(&mut self, path: &str, value: Node) -> Result<(), Error> {
-        self.0.put(path, value)
+    /// A path that leads nowhere; located at `place`.
+    pub fn put(&mut self, path: &str, value: Node, place: &Span) -> Result<(), Error> {
+        self.0.put(path, value, place)
+    }
+
+    /// The recipe without one of its top-level keys.
+    #[must_use]
+    pub fn without(&self, section: &str) -> Self {
+        let entries = self.0.entries().iter().filter(|(key, _)| key.text != section).cloned().collect();
+        Self(Node { kind: Kind::Map(entries), span: self.0.span.clone() })
     }
 
     /// The tree as written.

@@ -26,6 +26,18 @@ pub(crate) fn item(path: &str, index: usize) -> String {
     format!("{path}[{index}]")
 }
 
+/// The pattern that a path is one of: `objects[0].pose` is of `objects[].pose`.
+pub(crate) fn pattern(path: &str) -> String {
+    let mut pattern = String::new();
+    for step in steps(path).unwrap_or_default() {
+        match step {
+            Step::Key(key) => pattern = under(&pattern, &key),
+            Step::Index(_) => pattern.push_str("[]"),
+        }
+    }
+    pattern
+}
+
 /// The steps of a path; what is wrong with it otherwise. The empty path has none.
 pub(crate) fn steps(path: &str) -> Result<Vec<Step>, String> {
     let mut steps = Vec::new();
@@ -77,6 +89,11 @@ mod tests {
         }
         assert_eq!(under("a.b", "c"), "a.b.c");
         assert_eq!(steps(""), Ok(vec![]));
+    }
+
+    #[test]
+    fn patterns_forget_numbers() {
+        assert_eq!(pattern("objects[12].pose.rest"), "objects[].pose.rest");
     }
 
     #[test]

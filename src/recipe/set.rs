@@ -20,19 +20,14 @@ impl Node {
             return Err(Error::new(&span, path, "the value is missing", "write path=value; null is a value too"));
         }
         let value = parse_part(&source, value, shift)?;
-        self.put_at(path, value, &Span { source, line: 1, column: 1 })
+        self.put(path, value, &Span { source, line: 1, column: 1 })
     }
 
-    /// Puts a value at `path`; maps on the way that are not there yet are made.
+    /// Puts a value at `path`, which was written at `span`; maps on the way that are not there yet are made.
     ///
     /// # Errors
-    /// A path that leads nowhere; located at the value.
-    pub fn put(&mut self, path: &str, value: Self) -> Result<(), Error> {
-        let span = value.span.clone();
-        self.put_at(path, value, &span)
-    }
-
-    fn put_at(&mut self, path: &str, value: Self, span: &Span) -> Result<(), Error> {
+    /// A path that leads nowhere; located at `span`.
+    pub fn put(&mut self, path: &str, value: Self, span: &Span) -> Result<(), Error> {
         let fault = |message: String, help: &str| Error::new(span, "", message, help);
         let example = "write a path such as sonar.range_m or objects[0].count";
         let steps =

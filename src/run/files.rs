@@ -6,12 +6,12 @@ use super::Project;
 use super::render::{Frame, pose_numbers};
 use super::world::World;
 use crate::export::{Attribution, FinishInput};
-use crate::plan::{Job, Plan, Splits};
+use crate::plan::{Job, Plan, Split};
 use crate::store::{FrameRecord, NewFile, ViewRecord, exr, layout, png};
 
 /// The record of a frame and the files that it brings.
 pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (FrameRecord, Vec<NewFile>) {
-    let name = layout::frame_name(job.id);
+    let name = layout::frame_name(job.id, job.variant.as_deref());
     let mut files = Vec::new();
     let mut views = BTreeMap::new();
     for picture in frame.pictures {
@@ -27,14 +27,15 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
     if let Some(raw) = frame.raw {
         files.push(NewFile { path: layout::raw(&name), bytes: exr::encode(raw) });
     }
-    let mut values = plan.scenes[job.scene as usize].drawn.clone();
+    let mut values = plan.scene_of(job).drawn.clone();
     values.extend(job.drawn.clone());
     let record = FrameRecord {
         id: job.id,
         name,
+        variant: job.variant.clone(),
         scene: job.scene,
         frame: job.frame,
-        split: job.split.to_owned(),
+        split: job.split.name().to_owned(),
         pose: pose_numbers(&frame.world_from_sonar),
         values,
         looks: job.looks.iter().filter_map(|look| look.name.clone()).collect(),
@@ -58,7 +59,7 @@ pub(super) fn finish_input(project: &Project) -> FinishInput {
         description: format!("Synthetic forward-looking sonar: {}", plan.header.name),
         seed: plan.header.seed,
         views: plan.header.output.views.clone(),
-        splits: Splits::NAMES.map(str::to_owned).to_vec(),
+        splits: Split::ALL.map(|split| split.name().to_owned()).to_vec(),
         categories: categories(project),
         facts: facts(plan),
         attributions: plan.assets.iter().map(attribution).collect(),
@@ -96,5 +97,8 @@ fn facts(plan: &Plan) -> Vec<(String, String)> {
             break;
         }
     }
-    vec![("Sonar".to_owned(), sonars.join("; ")), ("Scenes".to_owned(), plan.header.scenes.to_string())]
+    let mut facts =
+        vec![("Sonar".to_owned(), sonars.join("; ")), ("Scenes".to_owned(), plan.header.scenes.to_string())];
+    facts.extend(plan.variants.iter().map(|variant| (format!("Variant {}", variant.id), variant.description.clone())));
+    facts
 }

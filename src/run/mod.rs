@@ -11,7 +11,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-pub use project::Project;
+pub use project::{Given, Project};
 pub use world::{World, Worlds};
 
 use crate::export::{FinishError, finish};
@@ -151,17 +151,18 @@ impl Shift<'_> {
                     self.fail(id, "it made the program panic, which is a bug: please report it".into());
                 }
             }
-            self.worlds.done(self.project.plan.jobs[id as usize].scene);
+            self.worlds.done(&self.project.plan.jobs[id as usize]);
         }
     }
 
     fn frame(&self, renderer: &mut Renderer, id: u64) -> Result<(), FrameFault> {
         let plan = &self.project.plan;
         let job = &plan.jobs[id as usize];
-        let world = self.worlds.get(job.scene).map_err(FrameFault::Frame)?;
+        let world = self.worlds.get(job).map_err(FrameFault::Frame)?;
         if job.frame == 0 {
             for dropped in &world.built().dropped {
-                let what = format!("scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
+                let variant = job.variant.as_ref().map(|id| format!("{id} ")).unwrap_or_default();
+                let what = format!("{variant}scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
                 self.watch.note(&what);
             }
         }

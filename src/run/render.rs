@@ -52,12 +52,15 @@ impl Renderer {
         let echoes = tracer.trace(world.scene(), &world_from_sonar, keep);
         let others = second
             .map(|range| tracer.trace(world.scene(), &world_from_sonar, Keep { rays: Some(range), ..Keep::ENERGY }));
+        // All looks of a frame share their random draws: the same scatterers under other conditions.
+        let number = header.number_in_variant(job.scene, job.frame);
+        let stream = || Stream::at(world.seed(), "frame", number, "image");
         let greys: Vec<Vec<u8>> = job
             .looks
             .iter()
             .map(|look| match &others {
-                Some(others) if look.image.rays() == second => grey(header, job, look, others),
-                _ => grey(header, job, look, &echoes),
+                Some(others) if look.image.rays() == second => grey(job, look, others, stream()),
+                _ => grey(job, look, &echoes, stream()),
             })
             .collect();
         let view = |&view: &View| match view {
@@ -76,7 +79,7 @@ impl Renderer {
             }
         };
         let pictures: Vec<Picture> = header.output.views.iter().map(view).collect();
-        let raw = echoes.detail.is_some().then(|| raw(&echoes, header, job));
+        let raw = echoes.detail.is_some().then(|| raw(&echoes, header, job, &stream()));
         Frame { world_from_sonar, pictures, raw }
     }
 
@@ -89,14 +92,9 @@ impl Renderer {
 }
 
 /// The grey cells of one look.
-fn grey(header: &Header, job: &Job, look: &Look, echoes: &Echoes) -> Vec<u8> {
+fn grey(job: &Job, look: &Look, echoes: &Echoes, mut stream: Stream) -> Vec<u8> {
     let channel = Channel::new(&job.sonar, &look.water);
-    image::form(echoes, &look.image, &channel, &mut image_stream(header, job))
-}
-
-/// What speckle and noise of a frame are drawn from. All looks share it: the same scatterers under other conditions.
-fn image_stream(header: &Header, job: &Job) -> Stream {
-    Stream::at(header.seed, "frame", job.id, "image")
+    image::form(echoes, &look.image, &channel, &mut stream)
 }
 
 fn fan(grid: &Grid, header: &Header) -> (Grid, FanMap) {
@@ -104,14 +102,14 @@ fn fan(grid: &Grid, header: &Header) -> (Grid, FanMap) {
 }
 
 /// The linear image, in the orientation of the polar view; received levels are those of the first look.
-fn raw(echoes: &Echoes, header: &Header, job: &Job) -> RawImage {
+fn raw(echoes: &Echoes, header: &Header, job: &Job, stream: &Stream) -> RawImage {
     let grid = &echoes.grid;
     let detail = echoes.detail.as_ref();
     let plane = |values: Option<&Vec<f32>>| values.map_or_else(Vec::new, |values| grid.to_polar_image(values));
     let wide = |values: &[u16]| values.iter().map(|&value| u32::from(value)).collect();
     let levels = job.looks.first().and_then(|look| {
         let channel = Channel::new(&job.sonar, &look.water);
-        image::linear(echoes, &look.image, &channel, &image_stream(header, job))
+        image::linear(echoes, &look.image, &channel, stream)
     });
     let (echo, received) = levels.map(|levels| (levels.noise_free, levels.noisy)).unzip();
     RawImage {

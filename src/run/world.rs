@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::math::Pose;
 use crate::math::rng::Stream;
-use crate::plan::{Header, Job, Plan};
+use crate::plan::{Header, Job, Plan, ScenePlan};
 use crate::scene::bvh::Bvh;
 use crate::scene::{AssetCache, Built, Scene, SceneError, build};
 use crate::vehicle::{FrameOfRun, Surroundings, Target};
@@ -15,22 +15,23 @@ use crate::vehicle::{FrameOfRun, Surroundings, Target};
 /// A scene ready to be looked at.
 pub struct World {
     built: Built,
+    seed: u64,
     targets: Vec<Target>,
     /// Built on the first question about a line of sight.
     sight: OnceLock<Bvh>,
 }
 
 impl World {
-    /// Builds a scene of a plan.
+    /// Builds a scene as a plan has it.
     ///
     /// # Errors
     /// See [`SceneError`].
-    pub fn build(plan: &Plan, scene: u64, assets: &AssetCache) -> Result<Self, SceneError> {
-        let spec = &plan.scenes[scene as usize].spec;
-        let built = build(spec, assets, plan.header.seed, scene)?;
+    pub fn build(scene: &ScenePlan, assets: &AssetCache) -> Result<Self, SceneError> {
+        let seed = scene.seed;
+        let built = build(&scene.spec, assets, seed, scene.index)?;
         let bodies = &built.scene.bodies;
         let targets = bodies.iter().map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
-        Ok(Self { built, targets, sight: OnceLock::new() })
+        Ok(Self { built, seed, targets, sight: OnceLock::new() })
     }
 
     /// The geometry.
@@ -43,6 +44,12 @@ impl World {
     #[must_use]
     pub fn built(&self) -> &Built {
         &self.built
+    }
+
+    /// Seed of its draws and of its frames'.
+    #[must_use]
+    pub fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// world_from_sonar of a job.
@@ -58,16 +65,16 @@ impl World {
             mount: &mount,
         };
         let frame = FrameOfRun { index: job.frame, count: header.frames };
-        let mut stream = Stream::at(header.seed, "frame", job.id, "trajectory");
+        let mut stream = Stream::at(self.seed, "frame", header.number_in_variant(job.scene, job.frame), "trajectory");
         job.trajectory.pose(frame, &around, &mut stream).then_inner(&mount)
     }
 }
 
-/// Worlds by scene: built once, by whoever comes first, and let go after the last frame.
+/// Worlds by their place in the plan: built once, by whoever comes first, and let go after the last frame.
 pub struct Worlds<'a> {
     plan: &'a Plan,
     assets: &'a AssetCache,
-    held: Mutex<BTreeMap<u64, Held>>,
+    held: Mutex<BTreeMap<usize, Held>>,
 }
 
 type Slot = Arc<OnceLock<Result<Arc<World>, String>>>;
@@ -81,34 +88,37 @@ impl<'a> Worlds<'a> {
     /// Worlds for these jobs of a plan.
     #[must_use]
     pub fn new(plan: &'a Plan, assets: &'a AssetCache, jobs: &[u64]) -> Self {
-        let mut held: BTreeMap<u64, Held> = BTreeMap::new();
+        let mut held: BTreeMap<usize, Held> = BTreeMap::new();
         for &id in jobs {
-            let scene = plan.jobs[id as usize].scene;
-            held.entry(scene).or_insert_with(|| Held { slot: Slot::default(), frames_left: 0 }).frames_left += 1;
+            let world = plan.world_of(&plan.jobs[id as usize]);
+            held.entry(world).or_insert_with(|| Held { slot: Slot::default(), frames_left: 0 }).frames_left += 1;
         }
         Self { plan, assets, held: Mutex::new(held) }
     }
 
-    /// The world of a scene; waits where another thread is building it.
+    /// The world of a job; waits where another thread is building it.
     ///
     /// # Errors
     /// Why the scene could not be built.
-    pub fn get(&self, scene: u64) -> Result<Arc<World>, String> {
+    pub fn get(&self, job: &Job) -> Result<Arc<World>, String> {
+        let world = self.plan.world_of(job);
         let slot = {
             let held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
-            held.get(&scene).map(|held| held.slot.clone()).unwrap_or_default()
+            held.get(&world).map(|held| held.slot.clone()).unwrap_or_default()
         };
-        let build = || World::build(self.plan, scene, self.assets).map(Arc::new).map_err(|error| error.to_string());
+        let build =
+            || World::build(&self.plan.scenes[world], self.assets).map(Arc::new).map_err(|error| error.to_string());
         slot.get_or_init(build).clone()
     }
 
-    /// Says that a frame of a scene is done; after the last one its world is let go.
-    pub fn done(&self, scene: u64) {
+    /// Says that a job is done; after the last one of a world it is let go.
+    pub fn done(&self, job: &Job) {
+        let world = self.plan.world_of(job);
         let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(entry) = held.get_mut(&scene) {
+        if let Some(entry) = held.get_mut(&world) {
             entry.frames_left = entry.frames_left.saturating_sub(1);
             if entry.frames_left == 0 {
-                held.remove(&scene);
+                held.remove(&world);
             }
         }
     }

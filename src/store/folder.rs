@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
 use super::journal::{self, Journal};
-use super::manifest::Manifest;
+use super::manifest::{IncludeLock, Manifest};
 use super::{FileRecord, FrameRecord, StoreError, atomic, claim, layout};
 
 /// What makes a dataset the one that it is.
@@ -21,6 +21,10 @@ pub struct Identity<'a> {
     pub frames: u64,
     /// The recipe as given.
     pub recipe_text: &'a str,
+    /// Changes that were made to it, `path=value`.
+    pub sets: &'a [String],
+    /// Files that it includes.
+    pub includes: &'a [IncludeLock],
     /// Every drawn value of every job.
     pub plan_json: &'a [u8],
 }

@@ -105,7 +105,8 @@ mod tests {
     fn record(id: u64) -> FrameRecord {
         FrameRecord {
             id,
-            name: layout::frame_name(id),
+            name: layout::frame_name(id, None),
+            variant: None,
             scene: 0,
             frame: id,
             split: "train".to_owned(),

@@ -23,10 +23,13 @@ pub(crate) const LOCK: &str = "shards/lock";
 /// What a file is called until it is whole.
 pub(crate) const TEMPORARY: &str = "tmp";
 
-/// Name of a frame in all its files.
+/// Name of a frame in all its files, with its variant where there is a sweep.
 #[must_use]
-pub fn frame_name(id: u64) -> String {
-    format!("{id:06}")
+pub fn frame_name(id: u64, variant: Option<&str>) -> String {
+    match variant {
+        Some(variant) => format!("{id:06}_{variant}"),
+        None => format!("{id:06}"),
+    }
 }
 
 /// 8-bit picture of a frame, in a look if it has a name.

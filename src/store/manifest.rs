@@ -23,6 +23,12 @@ pub(crate) struct Manifest {
     pub name: String,
     /// Hash of `recipe.yaml`.
     pub recipe_sha256: String,
+    /// Changes that were made to the recipe, `path=value`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sets: Vec<String>,
+    /// Files that the recipe includes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub includes: Vec<IncludeLock>,
     pub plan_hash: String,
     /// Frames in the plan.
     pub frames: u64,
@@ -30,6 +36,15 @@ pub(crate) struct Manifest {
     pub dataset_hash: Option<String>,
     /// `null` until the dataset is finished.
     pub counts: Option<Counts>,
+}
+
+/// A file that a recipe includes, pinned by its content.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IncludeLock {
+    /// Its name in the including file.
+    pub name: String,
+    /// SHA-256 of the file.
+    pub sha256: String,
 }
 
 /// How much there is in a finished dataset.
@@ -49,6 +64,8 @@ impl Manifest {
             ensonify: VERSION.to_owned(),
             name: identity.name.to_owned(),
             recipe_sha256: sha256(identity.recipe_text.as_bytes()),
+            sets: identity.sets.to_vec(),
+            includes: identity.includes.to_vec(),
             plan_hash: identity.plan_hash.to_owned(),
             frames: identity.frames,
             dataset_hash: None,

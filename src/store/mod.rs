@@ -23,7 +23,7 @@ mod status;
 
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
-pub use manifest::Counts;
+pub use manifest::{Counts, IncludeLock};
 pub use record::{AnnotationRecord, FileRecord, FrameRecord, ViewRecord};
 pub use seal::Summary;
 pub use status::Status;

@@ -15,7 +15,10 @@ pub struct FrameRecord {
     pub id: u64,
     /// Name in paths, see [`frame_name`](super::layout::frame_name).
     pub name: String,
-    /// Number of the scene.
+    /// Variant of the recipe; none without a sweep.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub variant: Option<String>,
+    /// Number of the scene in its variant.
     pub scene: u64,
     /// Number of the frame in its scene.
     pub frame: u64,

@@ -17,12 +17,14 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     plan_hash: "0123abcd",
     frames: FRAMES,
     recipe_text: "name: sample\n",
+    sets: &[],
+    includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
 };
 
 /// A frame of 8×6 pixels in two views; every third has a tire and an anchor that overlap, others a tire or nothing.
 pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
-    let name = layout::frame_name(id);
+    let name = layout::frame_name(id, None);
     let labels = labels(id);
     let bodies = ["tire", "anchor"].map(|label| Body {
         label: label.to_owned(),
@@ -33,6 +35,7 @@ pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
     let record = FrameRecord {
         id,
         name: name.clone(),
+        variant: None,
         scene: id / 2,
         frame: id % 2,
         split: if id < 4 { "train" } else { "val" }.to_owned(),

@@ -1,0 +1,416 @@
+//! Shared draws: the section `let` names values that stand as `$name` anywhere in a recipe.
+//!
+//! A constant is written out before anything else, so it may stand everywhere. A draw is written in for each scene, or for
+//! each frame where it says `per: frame`, before the section around it is drawn: `{uniform: [1, $deepest]}` is possible.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::distribution;
+use super::draw::{Address, Draws, Level};
+use super::error::{Error, quoted};
+use super::nearest::did_you_mean;
+use super::node::{Key, Kind, Node};
+use super::parse::{MAX_DEPTH, MAX_NODES};
+use super::path;
+use super::{Recipe, Tree, defaults};
+
+/// The section's key.
+const LET: &str = "let";
+
+/// The named draws of a recipe that are no constants.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lets {
+    /// Each after those that it refers to.
+    draws: Vec<Named>,
+}
+
+/// One named draw.
+#[derive(Clone, Debug, PartialEq)]
+struct Named {
+    name: String,
+    node: Node,
+    /// Whether it, or one that it refers to, is drawn for each frame.
+    rhythm: Rhythm,
+}
+
+/// How often a named draw changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rhythm {
+    Scene,
+    Frame,
+}
+
+/// The values of the named draws in one scene or frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shared {
+    values: BTreeMap<String, Value>,
+    /// Names that have values in frames only.
+    of_frames: BTreeSet<String>,
+    /// What was drawn, by path (`let.NAME`); in a frame what is drawn for it alone.
+    pub drawn: Draws,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Value {
+    node: Node,
+    /// Values in it.
+    size: usize,
+}
+
+impl Value {
+    fn of(node: Node) -> Self {
+        Self { size: size(&node), node }
+    }
+}
+
+impl Recipe {
+    /// The recipe with its constants written out, and the draws that are left.
+    ///
+    /// # Errors
+    /// Names that are none, names that refer to themselves, a `$name` that `let` does not have.
+    pub fn with_constants(&self) -> Result<(Self, Lets), Error> {
+        let named = self.named()?;
+        let mut constants = Shared::default();
+        let mut lets = Lets::default();
+        let mut left = MAX_NODES;
+        for index in order(named)? {
+            let (key, node) = &named[index];
+            let node = constants.written(node, &path::under(LET, &key.text), Missing::Stays, &mut left)?;
+            if is_constant(&node) {
+                constants.values.insert(key.text.clone(), Value::of(node));
+            } else {
+                let rhythm = lets.rhythm(&node);
+                lets.draws.push(Named { name: key.text.clone(), node, rhythm });
+            }
+        }
+        let plain = self.without(LET);
+        let mut names: Vec<&str> = named.iter().map(|(key, _)| key.text.as_str()).collect();
+        names.sort_unstable();
+        check_names(plain.node(), "", &names)?;
+        Ok((Self(constants.written(plain.node(), "", Missing::Stays, &mut left)?), lets))
+    }
+
+    /// Names in `let` that stand nowhere in `used_in`, each as a fault to tell of.
+    #[must_use]
+    pub fn unused_lets(&self, used_in: &Node) -> Vec<Error> {
+        let mut used = BTreeSet::new();
+        references(used_in, &mut |name, _| {
+            used.insert(name.to_owned());
+        });
+        let entries = self.node().get(LET).map_or(&[][..], Node::entries);
+        let unused = entries.iter().filter(|(key, _)| !used.contains(&key.text));
+        let tell = |(key, _): &(Key, Node)| {
+            let message = format!("nothing refers to {}", quoted(&key.text));
+            Error::new(
+                &key.span,
+                LET,
+                message,
+                format!("write `${}` where its value should stand, or remove it", key.text),
+            )
+        };
+        unused.map(tell).collect()
+    }
+
+    /// The entries of `let`.
+    fn named(&self) -> Result<&[(Key, Node)], Error> {
+        let Some(node) = self.node().get(LET) else { return Ok(&[]) };
+        if !matches!(node.kind, Kind::Map(_)) || node.is_distribution() {
+            let message = format!("`let` is a map of names, found {}", node.describe());
+            return Err(Error::new(&node.span, LET, message, "write `let: {depth: {uniform: [2, 10]}}`"));
+        }
+        match node.entries().iter().find(|(key, _)| !is_name(&key.text)) {
+            Some((key, _)) => {
+                let message = format!("{} cannot be a name", quoted(&key.text));
+                Err(Error::new(&key.span, LET, message, "begin with a letter; letters, digits, `_` and `-` may follow"))
+            }
+            None => Ok(node.entries()),
+        }
+    }
+}
+
+impl Lets {
+    /// Draws every name for an address: all of them for a frame, and but those of frames otherwise.
+    ///
+    /// # Errors
+    /// A distribution that is malformed, also where a value that it refers to makes it so.
+    pub fn draw(&self, address: &Address) -> Result<Shared, Error> {
+        let (mut shared, mut left) = (Shared::default(), MAX_NODES);
+        let level = match address.level {
+            Level::Frame(frame) => Level::Frame(frame),
+            Level::Dataset | Level::Scene | Level::Instance(_) => Level::Scene,
+        };
+        for Named { name, node, rhythm } in &self.draws {
+            if *rhythm == Rhythm::Frame && level == Level::Scene {
+                shared.of_frames.insert(name.clone());
+                continue;
+            }
+            let path = path::under(LET, name);
+            let written = shared.written(node, &path, Missing::IsAFault, &mut left)?;
+            written.check_distributions(&path, level)?;
+            let (drawn, draws) = written.draw_recorded(&path, &Address { level, ..*address })?;
+            if level == Level::Scene || *rhythm == Rhythm::Frame {
+                shared.drawn.extend(draws);
+            }
+            shared.values.insert(name.clone(), Value::of(drawn));
+        }
+        Ok(shared)
+    }
+
+    /// How often a value changes that may refer to the names so far.
+    fn rhythm(&self, node: &Node) -> Rhythm {
+        let mut rhythm = if is_of_frames(node) { Rhythm::Frame } else { Rhythm::Scene };
+        references(node, &mut |name, _| {
+            if self.draws.iter().any(|draw| draw.name == name && draw.rhythm == Rhythm::Frame) {
+                rhythm = Rhythm::Frame;
+            }
+        });
+        rhythm
+    }
+}
+
+/// What becomes of a `$name` that has no value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Missing {
+    Stays,
+    IsAFault,
+}
+
+impl Shared {
+    /// A part of a recipe with every `$name` in it replaced by its value, and with the defaults of what came so; `path` is
+    /// where it stands.
+    ///
+    /// # Errors
+    /// A `$name` that has no value here.
+    pub fn complete_into(&self, node: &Node, path: &str) -> Result<Node, Error> {
+        let written = self.write_into(node, path)?;
+        Ok(if written == *node { written } else { defaults::complete_at(&written, &path::pattern(path)) })
+    }
+
+    /// As [`Shared::complete_into`], without defaults.
+    ///
+    /// # Errors
+    /// A `$name` that has no value here.
+    pub fn write_into(&self, node: &Node, path: &str) -> Result<Node, Error> {
+        if !has_dollar(node) {
+            return Ok(node.clone());
+        }
+        Ok(unescaped(self.written(node, path, Missing::IsAFault, &mut { MAX_NODES })?))
+    }
+
+    fn written(&self, node: &Node, path: &str, missing: Missing, left: &mut usize) -> Result<Node, Error> {
+        Writer { shared: self, missing, left }.node(node, path, 0)
+    }
+}
+
+struct Writer<'a> {
+    shared: &'a Shared,
+    missing: Missing,
+    /// Values that may still be written: names that refer to names must not multiply without end.
+    left: &'a mut usize,
+}
+
+impl Writer<'_> {
+    fn node(&mut self, node: &Node, path: &str, depth: usize) -> Result<Node, Error> {
+        let kind = match &node.kind {
+            Kind::Text(text) => match reference(text) {
+                Some(name) => return self.value(name, node, path, depth),
+                None => node.kind.clone(),
+            },
+            Kind::Map(entries) => {
+                let written = entries
+                    .iter()
+                    .map(|(key, value)| Ok((key.clone(), self.node(value, &path::under(path, &key.text), depth + 1)?)));
+                Kind::Map(written.collect::<Result<_, Error>>()?)
+            }
+            Kind::Seq(items) => {
+                let written =
+                    items.iter().enumerate().map(|(i, item)| self.node(item, &path::item(path, i), depth + 1));
+                Kind::Seq(written.collect::<Result<_, Error>>()?)
+            }
+            Kind::Null | Kind::Bool(_) | Kind::Int(_) | Kind::Float(_) => node.kind.clone(),
+        };
+        Ok(Node { kind, span: node.span.clone() })
+    }
+
+    fn value(&mut self, name: &str, node: &Node, path: &str, depth: usize) -> Result<Node, Error> {
+        let fault = |message: String, help: &str| Err(Error::new(&node.span, path, message, help));
+        let Some(value) = self.shared.values.get(name) else {
+            if self.missing == Missing::Stays {
+                return Ok(node.clone());
+            }
+            if self.shared.of_frames.contains(name) {
+                let message = format!("`${name}` is drawn for each frame, but this part once a scene");
+                return fault(message, "leave out `per: frame` there, or give this part a value of its own");
+            }
+            let message = format!("`${name}` has no value here");
+            return fault(message, "only constants may stand where nothing is drawn");
+        };
+        if value.size > *self.left {
+            let message = format!("with `${name}` written out, there are more than {MAX_NODES} values");
+            return fault(message, "let fewer names refer to names");
+        }
+        if depth + self::depth(&value.node) > MAX_DEPTH {
+            let message = format!("with `${name}` written out, it is nested deeper than {MAX_DEPTH} levels");
+            return fault(message, "write it flatter");
+        }
+        *self.left -= value.size;
+        Ok(value.node.clone())
+    }
+}
+
+impl Tree {
+    /// The fault of the first `$name` below a path: what stands there is the same for all, so only constants may.
+    ///
+    /// # Errors
+    /// As said.
+    pub fn refuse_draws(&self, section: &str) -> Result<(), Error> {
+        let Some(node) = self.at(section) else { return Ok(()) };
+        Shared::default().written(node, section, Missing::IsAFault, &mut { MAX_NODES }).map(|_| ())
+    }
+}
+
+/// The name that a text refers to.
+fn reference(text: &str) -> Option<&str> {
+    text.strip_prefix('$').filter(|name| is_name(name))
+}
+
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-')
+        && text.len() <= 64
+}
+
+/// `$$name` is the text `$name`.
+fn is_escape(text: &str) -> bool {
+    text.strip_prefix('$').is_some_and(|rest| reference(rest).is_some())
+}
+
+/// Whether a name or an escape stands anywhere in a tree.
+fn has_dollar(node: &Node) -> bool {
+    let in_children =
+        || node.entries().iter().any(|(_, value)| has_dollar(value)) || node.items().iter().any(has_dollar);
+    node.text().is_some_and(|text| text.starts_with('$')) || in_children()
+}
+
+fn unescaped(node: Node) -> Node {
+    let kind = match node.kind {
+        Kind::Text(text) if is_escape(&text) => Kind::Text(text[1..].to_owned()),
+        Kind::Map(entries) => Kind::Map(entries.into_iter().map(|(key, value)| (key, unescaped(value))).collect()),
+        Kind::Seq(items) => Kind::Seq(items.into_iter().map(unescaped).collect()),
+        other => other,
+    };
+    Node { kind, span: node.span }
+}
+
+/// Calls `found` with every name that a tree refers to, in order.
+fn references<'a>(node: &'a Node, found: &mut dyn FnMut(&'a str, &'a Node)) {
+    if let Some(name) = node.text().and_then(reference) {
+        found(name, node);
+    }
+    node.entries().iter().for_each(|(_, value)| references(value, found));
+    node.items().iter().for_each(|item| references(item, found));
+}
+
+/// Refuses names that `let` does not have.
+fn check_names(node: &Node, at: &str, names: &[&str]) -> Result<(), Error> {
+    if let Some(name) = node.text().and_then(reference).filter(|name| names.binary_search(name).is_err()) {
+        let message = format!("`let` has no name {}", quoted(name));
+        let help = match names {
+            [] => format!("write `let: {{{name}: …}}`; `$${name}` is the text itself"),
+            names => did_you_mean(name, names),
+        };
+        return Err(Error::new(&node.span, at, message, help));
+    }
+    let mut entries = node.entries().iter();
+    entries.try_for_each(|(key, value)| check_names(value, &path::under(at, &key.text), names))?;
+    node.items().iter().enumerate().try_for_each(|(i, item)| check_names(item, &path::item(at, i), names))
+}
+
+/// Indices of the names, each after those that it refers to.
+fn order(named: &[(Key, Node)]) -> Result<Vec<usize>, Error> {
+    let places: BTreeMap<&str, usize> = named.iter().enumerate().map(|(i, (key, _))| (key.text.as_str(), i)).collect();
+    let mut names: Vec<&str> = places.keys().copied().collect();
+    names.sort_unstable();
+    // Kahn's algorithm, in the order of the file among those that are ready.
+    let mut refers: Vec<BTreeSet<usize>> = Vec::new();
+    for (key, node) in named {
+        check_names(node, &path::under(LET, &key.text), &names)?;
+        let mut to = BTreeSet::new();
+        references(node, &mut |name, _| {
+            to.extend(places.get(name));
+        });
+        refers.push(to);
+    }
+    let mut referred: Vec<Vec<usize>> = vec![Vec::new(); named.len()];
+    refers.iter().enumerate().for_each(|(from, to)| to.iter().for_each(|&to| referred[to].push(from)));
+    let mut ready: BTreeSet<usize> = (0..named.len()).filter(|&i| refers[i].is_empty()).collect();
+    let mut order = Vec::new();
+    while let Some(next) = ready.pop_first() {
+        order.push(next);
+        for &from in &referred[next] {
+            refers[from].remove(&next);
+            if refers[from].is_empty() {
+                ready.insert(from);
+            }
+        }
+    }
+    match (0..named.len()).find(|&i| !refers[i].is_empty() && reaches(i, i, &refers)) {
+        Some(first) => Err(circle(first, named, &refers)),
+        None => Ok(order),
+    }
+}
+
+/// Whether following references leads from one name to another.
+fn reaches(from: usize, to: usize, refers: &[BTreeSet<usize>]) -> bool {
+    let (mut seen, mut open) = (BTreeSet::new(), vec![from]);
+    while let Some(next) = open.pop() {
+        for &other in &refers[next] {
+            if other == to {
+                return true;
+            }
+            if seen.insert(other) {
+                open.push(other);
+            }
+        }
+    }
+    false
+}
+
+/// The fault of names that refer to each other in a circle, told from the one that stands first.
+fn circle(first: usize, named: &[(Key, Node)], refers: &[BTreeSet<usize>]) -> Error {
+    let mut words = vec![named[first].0.text.as_str()];
+    let mut at = first;
+    while words.len() < 8 {
+        let Some(&next) = refers[at].iter().find(|&&next| next == first || reaches(next, first, refers)) else { break };
+        words.push(&named[next].0.text);
+        if next == first {
+            break;
+        }
+        at = next;
+    }
+    let message = format!("{} refers to itself: {}", quoted(words[0]), words.join(" → "));
+    Error::new(&named[first].0.span, LET, message, "give one of them a value of its own")
+}
+
+fn is_constant(node: &Node) -> bool {
+    let here = node.is_distribution() || node.text().and_then(reference).is_some();
+    !here && node.entries().iter().all(|(_, value)| is_constant(value)) && node.items().iter().all(is_constant)
+}
+
+fn is_of_frames(node: &Node) -> bool {
+    let here = distribution::word(node).is_some() && node.get("per").and_then(Node::text) == Some("frame");
+    here || node.entries().iter().any(|(_, value)| is_of_frames(value)) || node.items().iter().any(is_of_frames)
+}
+
+fn size(node: &Node) -> usize {
+    let children = node.entries().iter().map(|(_, value)| value).chain(node.items());
+    1 + children.map(size).sum::<usize>()
+}
+
+fn depth(node: &Node) -> usize {
+    let children = node.entries().iter().map(|(_, value)| value).chain(node.items());
+    children.map(|child| 1 + depth(child)).max().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests;
