@@ -23,7 +23,7 @@ fn recipe(sections: &str) -> String {
         "ensonify: 1
 name: world
 seed: 4
-sonar: {{beams: 64, azimuth_deg: 90, elevation_deg: 30, elevations: 200, range_m: [0.5, 22], range_bins: 256, frequency_khz: 900}}
+sonar: {{beams: 64, azimuth_deg: 90, elevation_deg: 30, elevations: 200, range_m: [0.5, 22], range_bins: 256, frequency_khz: 900, mount: {{pitch_deg: -4}}}}
 trajectory: {{hover: {{position_m: [-6, 0.3, 2.2]}}}}
 frames: 1
 {sections}

@@ -105,7 +105,7 @@ impl Frame {
         let along = way.normalize();
         let level = DVec3::new(-along.y, along.x, 0.0).try_normalize().unwrap_or(DVec3::Y);
         let axis = along.truncate().try_normalize().unwrap_or(DVec2::X);
-        Self { level: -level, up: along.cross(level), axis }
+        Self { level, up: along.cross(level), axis }
     }
 
     fn at(&self, p: DVec2) -> DVec3 {

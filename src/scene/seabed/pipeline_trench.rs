@@ -43,14 +43,14 @@ impl PipelineTrench {
         let (s, c) = (sin(radians(self.direction_deg)), cos(radians(self.direction_deg)));
         let steepness = tan(radians(self.side_deg));
         let reach = self.depth_m / steepness;
-        let (ragged, clods) = (Noise::new(2.0, grid.reach(), stream), Noise::new(0.8, grid.reach(), stream));
+        let (ragged, clods) = (Noise::new(3.5, grid.reach(), stream), Noise::new(1.3, grid.reach(), stream));
         let width = 0.6 * (reach + self.floor_m);
         grid.add(|x, y| {
             let off = (c * y - s * x).abs() - 0.5 * self.floor_m;
             let edge = off + 0.06 * reach * ragged.at(x, y);
             let cut = (edge * steepness - self.depth_m).clamp(-self.depth_m, 0.0);
             let from_heap = (off - reach - width) / (0.5 * width);
-            let heap = self.bank_m * exp(-from_heap * from_heap) * (1.0 + 0.2 * clods.at(x, y));
+            let heap = self.bank_m * exp(-from_heap * from_heap) * (1.0 + 0.15 * clods.at(x, y));
             cut + if cut < 0.0 { 0.0 } else { heap }
         });
     }
