@@ -112,6 +112,22 @@ fn objects_rest_clear_of_a_pier() {
     }
 }
 
+#[test]
+fn piles_reach_into_the_ground_wherever_it_lies() {
+    let desk = Desk::new();
+    let seabed = "seabed: {shape: {slope: {angle_deg: 25, direction_deg: 70}}, cell_m: 0.2}";
+    let (_, world) = world(&desk, &format!("{seabed}\nenvironment: {{kind: {{pier: {{broken: 0.4}}}}}}"));
+    let scene = world.scene();
+    for instance in scene.instances.iter().filter(|instance| instance.body > 0) {
+        if scene.bodies[usize::from(instance.body) - 1].label == "pile" {
+            let ends =
+                instance.mesh.vertices().map(|v| f64::from(v.z) - world.built().ground.height(v.x.into(), v.y.into()));
+            let (low, high) = ends.fold((f64::MAX, f64::MIN), |(low, high), end| (low.min(end), high.max(end)));
+            assert!(low < -0.9 && high > 0.1, "a pile from {low} to {high} m above the ground");
+        }
+    }
+}
+
 /// Bytes that a mesh holds.
 fn bytes(mesh: &Mesh) -> usize {
     mesh.clusters.iter().map(|cluster| 12 * cluster.x.len() + 6 * cluster.triangles.len() + 200).sum()
@@ -153,6 +169,8 @@ fn what_cannot_be_built_is_refused_at_its_place() {
     refused("seabed: {patches: [{sediment: mood}]}", 7, &["mood", "did you mean `mud`"]);
     refused("seabed: {patches: [{sediment: mud, share: 2}]}", 7, &["share", "0 to 1"]);
     refused("seabed: {patches: [{sediment: mud, where: holes}]}", 7, &["holes", "troughs"]);
+    refused("seabed: {patches: [{sediment: mud, size_m: 0.01}]}", 7, &["size_m", "cell_m"]);
+    refused("seabed: {shape: {rock-field: {per_100_m2: 1e6}}}", 7, &["per_100_m2", "cover the ground twice"]);
     refused("environment: {kind: pier}", 7, &["seabed"]);
     refused("environment: {kind: tank, glb: a.glb}", 7, &["glb", "kind"]);
     refused("environment: {labels: none}", 7, &["glb", "kind"]);

@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 
 use super::EnvironmentError;
 use super::kinds::within;
-use super::quay::FOOT_M;
 use super::solid::Solid;
 use super::structure::Structure;
 use crate::math::rng::Stream;
@@ -50,7 +49,7 @@ impl Dam {
         within("height_m", self.height_m, [2.0, 200.0])?;
         within("monolith_m", self.monolith_m, [1.0, 50.0])?;
         within("offset_m", self.offset_m, [0.0, 1.0])?;
-        within("intakes + pipes", (self.intakes + self.pipes).into(), [0.0, f64::from(self.monoliths())])?;
+        within("intakes + pipes", self.intakes.saturating_add(self.pipes).into(), [0.0, f64::from(self.monoliths())])?;
         within("intake_m: width", self.intake_m[0], [0.2, 0.9 * self.monolith_m])?;
         within("intake_m: height", self.intake_m[1], [0.2, 0.8 * self.height_m])?;
         within("bar_spacing_m", self.bar_spacing_m, [0.05, 2.0])?;
@@ -72,7 +71,11 @@ impl Dam {
                     self.intake(&bay, structure);
                 }
                 Some(_) => self.outlet(&bay, structure),
-                None => structure.part("dam", "concrete", &[bay.block([-0.5, 0.5], [FOOT_M, self.height_m], 0.0)]),
+                None => structure.part(
+                    "dam",
+                    "concrete",
+                    &[bay.block([-0.5, 0.5], [structure.site.foot, self.height_m], 0.0)],
+                ),
             }
         }
     }
@@ -87,9 +90,9 @@ impl Dam {
         let side = 0.5 * wide / bay.width;
         let sill = 0.12 * self.height_m;
         let blocks = [
-            bay.block([-0.5, -side], [FOOT_M, self.height_m], 0.0),
-            bay.block([side, 0.5], [FOOT_M, self.height_m], 0.0),
-            bay.block([-side, side], [FOOT_M, sill], 0.0),
+            bay.block([-0.5, -side], [structure.site.foot, self.height_m], 0.0),
+            bay.block([side, 0.5], [structure.site.foot, self.height_m], 0.0),
+            bay.block([-side, side], [structure.site.foot, sill], 0.0),
             bay.block([-side, side], [sill + high, self.height_m], 0.0),
             bay.block([-side, side], [sill, sill + high], INTAKE_M),
         ];
@@ -112,7 +115,7 @@ impl Dam {
 
     /// A monolith with a pipe that stands out of it.
     fn outlet(&self, bay: &Bay, structure: &mut Structure) {
-        structure.part("dam", "concrete", &[bay.block([-0.5, 0.5], [FOOT_M, self.height_m], 0.0)]);
+        structure.part("dam", "concrete", &[bay.block([-0.5, 0.5], [structure.site.foot, self.height_m], 0.0)]);
         let z = 0.25 * self.height_m + 0.5 * self.pipe_m;
         let (from, to) = (DVec3::new(bay.x + 0.3, bay.y, z), DVec3::new(bay.x - 1.2, bay.y, z));
         let outer = 0.5 * self.pipe_m;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::EnvironmentError;
 use super::kinds::within;
-use super::quay::{FOOT_M, Quay};
+use super::quay::Quay;
 use super::solid::Solid;
 use super::structure::Structure;
 use crate::math::rng::Stream;
@@ -57,7 +57,7 @@ impl Harbour {
                 let angle = turn + std::f64::consts::TAU * f64::from(k) / 3.0;
                 let out = DVec3::new(crate::math::real::cos(angle), crate::math::real::sin(angle), 0.0);
                 let (foot, head) =
-                    (place + out * 1.3 + DVec3::Z * FOOT_M, place + out * 0.5 + DVec3::Z * self.height_m);
+                    (place + out * 1.3 + DVec3::Z * structure.site.foot, place + out * 0.5 + DVec3::Z * self.height_m);
                 Solid::rod(foot, head, 0.3, 20)
             })
             .collect();

@@ -166,7 +166,8 @@ impl Environment {
     pub(super) fn generate(kind: &Kind, labels: Labels, seabed: Option<&HeightGrid>, stream: &mut Stream) -> Self {
         let bottom = if seabed.is_some() { Bottom::Seabed } else { Bottom::Nothing };
         let ground = |x: f64, y: f64| seabed.map_or(0.0, |grid| grid.height(x, y));
-        let site = Site { ground: &ground, bottom, labels };
+        let lowest = seabed.map_or(0.0, |grid| f64::from(grid.heights().iter().fold(0.0, |low: f32, &h| low.min(h))));
+        let site = Site { ground: &ground, foot: (lowest - 1.0).min(-4.0), bottom, labels };
         let mut structure = Structure::new(&site);
         kind.raise(&mut structure, stream);
         let Structure { mut things, footprints, .. } = structure;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::EnvironmentError;
 use super::kinds::{material, within};
-use super::quay::{FOOT_M, Quay};
+use super::quay::Quay;
 use super::solid::Solid;
 use super::structure::Structure;
 use crate::math::rng::Stream;
@@ -83,7 +83,8 @@ impl Pier {
         for pile in 0..self.piles {
             let y = (f64::from(pile) - 0.5 * f64::from(self.piles - 1)) * step;
             let mut stray = || self.out_of_plumb_m * stream.uniform(-1.0, 1.0);
-            let (head, foot) = (DVec3::new(x, y, self.height_m), DVec3::new(x + stray(), y + stray(), FOOT_M));
+            let (head, foot) =
+                (DVec3::new(x, y, self.height_m), DVec3::new(x + stray(), y + stray(), structure.site.foot));
             let radius = 0.5 * self.pile_m * stream.uniform(0.9, 1.1);
             let whole = stream.unit() >= self.broken;
             let stump = (structure.site.ground)(foot.x, foot.y) + stream.uniform(0.3, 0.5 * self.height_m);

@@ -5,9 +5,6 @@ use glam::DVec3;
 use super::solid::Solid;
 use super::structure::Structure;
 
-/// How deep foundations reach below z = 0, metres.
-pub(super) const FOOT_M: f64 = -4.0;
-
 /// A straight quay wall. Its face looks to port of the way from `from` to `to`.
 pub(super) struct Quay {
     /// One end of the wall's face, at z = 0.
@@ -25,12 +22,13 @@ impl Quay {
         let way = self.to - self.from;
         let along = way.normalize();
         let out = DVec3::new(-along.y, along.x, 0.0);
-        let middle = 0.5 * (FOOT_M + self.height);
+        let foot = structure.site.foot;
+        let middle = 0.5 * (foot + self.height);
         // A slab at right angles to the face: `depth` of it before the face line, the rest behind.
         let slab = |start: f64, end: f64, before: f64| {
             let depth = 1.0 + before;
             let line = out * (before - 0.5 * depth) + DVec3::Z * middle;
-            Solid::bar(self.from + along * start + line, self.from + along * end + line, [depth, self.height - FOOT_M])
+            Solid::bar(self.from + along * start + line, self.from + along * end + line, [depth, self.height - foot])
         };
         // Pans of sheet piles stand out and back in turn.
         const PAN_M: f64 = 0.7;

@@ -17,6 +17,8 @@ const HEADROOM_M: f64 = 1.5;
 pub(super) struct Site<'a> {
     /// Height of the seabed, metres; 0 without one.
     pub ground: &'a dyn Fn(f64, f64) -> f64,
+    /// Down to where foundations reach, metres: below all ground.
+    pub foot: f64,
     /// Whether there is a seabed.
     pub bottom: Bottom,
     pub labels: Labels,

@@ -161,7 +161,7 @@ impl SeabedSpec {
         positive("cell_m", self.cell_m)?;
         sediment(&self.sediment)?;
         self.fine_m.map_or(Ok(()), |fine| positive("fine_m", fine))?;
-        self.patches.iter().try_for_each(Patch::check)?;
+        self.patches.iter().try_for_each(|patch| patch.check(self.cell_m))?;
         let triangles = 2.0 * (self.extent_m / self.cell_m) * (self.extent_m / self.cell_m);
         if triangles > MAX_TRIANGLES {
             let (extent_m, cell_m) = (self.extent_m, self.cell_m);

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::noise::Noise;
-use super::{HeightGrid, SeabedError, positive, sediment, within};
+use super::{HeightGrid, SeabedError, positive, sediment, shown, within};
 use crate::math::rng::Stream;
 
 /// A sediment on part of the seabed. Later patches lie on earlier ones.
@@ -35,10 +35,11 @@ pub enum Gathering {
 }
 
 impl Patch {
-    pub(super) fn check(&self) -> Result<(), SeabedError> {
+    pub(super) fn check(&self, cell_m: f64) -> Result<(), SeabedError> {
         sediment(&self.sediment)?;
         within("patches: share", self.share, [0.0, 1.0], "0 to 1")?;
-        positive("patches: size_m", self.size_m)
+        positive("patches: size_m", self.size_m)?;
+        shown("patches: size_m", self.size_m, cell_m, 1.0)
     }
 
     /// Covers its share of the grid's cells.

@@ -43,7 +43,7 @@ impl PipelineTrench {
         let (s, c) = (sin(radians(self.direction_deg)), cos(radians(self.direction_deg)));
         let steepness = tan(radians(self.side_deg));
         let reach = self.depth_m / steepness;
-        let (ragged, clods) = (Noise::new(3.5, grid.reach(), stream), Noise::new(1.3, grid.reach(), stream));
+        let [ragged, clods] = [3.5, 1.3].map(|wave: f64| Noise::new(wave.max(2.0 * grid.cell()), grid.reach(), stream));
         let width = 0.6 * (reach + self.floor_m);
         grid.add(|x, y| {
             let off = (c * y - s * x).abs() - 0.5 * self.floor_m;

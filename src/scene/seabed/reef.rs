@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::fractal::Fractal;
 use super::noise::Noise;
-use super::stones::{Form, Stones};
+use super::stones::{Form, MANY, Stones};
 use super::{HeightGrid, SeabedError, not_negative, positive, sediment, sizes, within};
 use crate::math::rng::Stream;
 
@@ -41,8 +41,8 @@ impl Reef {
         positive("patch_m", self.patch_m)?;
         super::shown("patch_m", self.patch_m, cell_m, 8.0)?;
         within("share", self.share, [0.0, 1.0], "0 to 1")?;
-        within("heads_per_100_m2", self.heads_per_100_m2, [0.0, 1000.0], "0 to 1000")?;
         sizes("head_m", self.head_m, cell_m, 4.0)?;
+        within("heads_per_100_m2", self.heads_per_100_m2, [0.0, 200.0 / self.heads().mean_area()], MANY)?;
         not_negative("rms_m", self.rms_m)?;
         sediment(&self.sediment)
     }
@@ -65,17 +65,20 @@ impl Reef {
         };
         grid.add(height);
         grid.paint(&self.sediment, |x, y| inland(x, y) > 0.0);
-        self.heads(&inland, grid, stream);
+        self.strew_heads(&inland, grid, stream);
     }
 
-    fn heads(&self, inland: &dyn Fn(f64, f64) -> f64, grid: &mut HeightGrid, stream: &mut Stream) {
+    fn heads(&self) -> Stones<'_> {
+        Stones { form: Form::CoralHead, size_m: self.head_m, burial: 0.15, sediment: &self.sediment }
+    }
+
+    fn strew_heads(&self, inland: &dyn Fn(f64, f64) -> f64, grid: &mut HeightGrid, stream: &mut Stream) {
         let half = 0.5 * grid.extent();
-        let stones = Stones { form: Form::CoralHead, size_m: self.head_m, burial: 0.15, sediment: &self.sediment };
         let count = (self.heads_per_100_m2 * grid.extent() * grid.extent() / 100.0).round() as u64;
         for _ in 0..count {
             let middle = DVec2::new(stream.uniform(-half, half), stream.uniform(-half, half));
             if inland(middle.x, middle.y) > 0.0 {
-                stones.lay(middle, grid, stream);
+                self.heads().lay(middle, grid, stream);
             }
         }
     }

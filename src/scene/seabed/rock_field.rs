@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::fractal::Fractal;
-use super::stones::{Form, Stones};
+use super::stones::{Form, MANY, Stones};
 use super::{HeightGrid, SeabedError, not_negative, sediment, sizes, within};
 use crate::math::rng::Stream;
 
@@ -25,8 +25,8 @@ pub struct RockField {
 
 impl RockField {
     pub(super) fn check(&self, cell_m: f64) -> Result<(), SeabedError> {
-        within("per_100_m2", self.per_100_m2, [0.0, 1000.0], "0 to 1000")?;
         sizes("size_m", self.size_m, cell_m, 4.0)?;
+        within("per_100_m2", self.per_100_m2, [0.0, 200.0 / self.stones().mean_area()], MANY)?;
         within("burial", self.burial, [0.0, 0.9], "0 to 0.9")?;
         not_negative("rms_m", self.rms_m)?;
         sediment(&self.sediment)
@@ -36,8 +36,10 @@ impl RockField {
     pub(super) fn raise(&self, grid: &mut HeightGrid, stream: &mut Stream) {
         Fractal::rough(self.rms_m, 6.0, grid).raise(grid, stream);
         let count = (self.per_100_m2 * grid.extent() * grid.extent() / 100.0).round() as u64;
-        let form = Form::Boulder;
-        let stones = Stones { form, size_m: self.size_m, burial: self.burial, sediment: &self.sediment };
-        stones.strew(count, grid, stream);
+        self.stones().strew(count, grid, stream);
+    }
+
+    fn stones(&self) -> Stones<'_> {
+        Stones { form: Form::Boulder, size_m: self.size_m, burial: self.burial, sediment: &self.sediment }
     }
 }

@@ -9,6 +9,9 @@ use super::noise::Noise;
 use crate::math::real::{cos, pow, radians, sin, tan};
 use crate::math::rng::Stream;
 
+/// How many stones there may be, for messages.
+pub(super) const MANY: &str = "0 to as many as cover the ground twice";
+
 /// What a stone is shaped like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
