@@ -82,7 +82,8 @@ impl Oracle<'_> {
 fn the_reference_scene_is_seen_as_rays_see_it() {
     let Some(path) = support::reference_scene() else { return };
     let environment = EnvironmentSpec {
-        glb: path.file_name().expect("a file").to_string_lossy().into_owned(),
+        glb: Some(path.file_name().expect("a file").to_string_lossy().into_owned()),
+        kind: None,
         labels: Labels::ByNode,
         sediment: "medium-sand".into(),
     };

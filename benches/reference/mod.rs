@@ -15,13 +15,25 @@ pub fn scene() -> (Scene, Pose) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let glb = "out/reference/s1m/scene.glb";
     let spec = if root.join(glb).exists() {
-        let environment = EnvironmentSpec { glb: glb.into(), labels: Labels::ByNode, sediment: "medium-sand".into() };
+        let environment = EnvironmentSpec {
+            glb: Some(glb.into()),
+            kind: None,
+            labels: Labels::ByNode,
+            sediment: "medium-sand".into(),
+        };
         SceneSpec { environment: Some(environment), ..SceneSpec::default() }
     } else {
         eprintln!("no {glb}: measured on a fractal seabed instead");
         let shape = serde_json::json!({"fractal": {"rms_m": 0.2, "longest_m": 15.0, "shortest_m": 0.2, "hurst": 0.8}});
         let shape = serde_json::from_value(shape).expect("a fractal");
-        let seabed = SeabedSpec { shape, sediment: "medium-sand".into(), extent_m: 60.0, cell_m: 0.085 };
+        let seabed = SeabedSpec {
+            shape,
+            sediment: "medium-sand".into(),
+            extent_m: 60.0,
+            cell_m: 0.085,
+            fine_m: None,
+            patches: Vec::new(),
+        };
         SceneSpec { seabed: Some(seabed), ..SceneSpec::default() }
     };
     let built = build(&spec, &AssetCache::new(root), 1, 0).expect("the scene can be built");

@@ -202,27 +202,40 @@ impl Compiler<'_> {
     ) -> Result<(), PlanError> {
         if let Some(seabed) = &spec.seabed {
             materials::sediment(&seabed.sediment).map_err(|fault| self.refuse("seabed.sediment", &fault))?;
+            if let Some(file) = seabed.file() {
+                seabed.check(self.assets).map_err(|fault| self.refuse("seabed.shape", &fault))?;
+                self.lock("seabed", file, locks).map_err(|error| self.refuse("seabed.shape", &error))?;
+            }
         }
         if let Some(environment) = &spec.environment {
             materials::sediment(&environment.sediment).map_err(|fault| self.refuse("environment.sediment", &fault))?;
-            self.assets.environment(environment).map_err(|fault| self.refuse("environment.glb", &fault))?;
-            let path = self.recipe_dir.join(&environment.glb);
-            let sha256 = sha256_of(&path).map_err(|error| self.refuse("environment.glb", &error))?;
-            let unknown = || "not stated".to_owned();
-            locks.entry(format!("environment/{}", environment.glb)).or_insert_with(|| AssetLock {
-                sha256,
-                name: environment.glb.clone(),
-                licence: unknown(),
-                attribution: unknown(),
-                source: environment.glb.clone(),
-            });
+            if let Some(glb) = &environment.glb {
+                self.assets.environment(environment, glb).map_err(|fault| self.refuse("environment.glb", &fault))?;
+                self.lock("environment", glb, locks).map_err(|error| self.refuse("environment.glb", &error))?;
+            }
         }
         spec.check(self.assets).map_err(|fault| match fault {
             SceneError::Seabed(fault) => self.refuse("seabed", &fault),
+            SceneError::Environment(fault) => self.refuse("environment", &fault),
             SceneError::Body { body, problem, .. } => self.refuse(&format!("objects[{}].pose", items[body]), &problem),
             SceneError::Catalog(fault) => self.refuse("objects", &fault),
             SceneError::TooManyBodies { .. } => self.refuse("objects", &fault),
         })
+    }
+
+    /// Pins a file that is no model of a catalog.
+    fn lock(&self, section: &str, file: &str, locks: &mut BTreeMap<String, AssetLock>) -> std::io::Result<()> {
+        if let Entry::Vacant(place) = locks.entry(format!("{section}/{file}")) {
+            let unknown = || "not stated".to_owned();
+            place.insert(AssetLock {
+                sha256: sha256_of(&self.recipe_dir.join(file))?,
+                name: file.to_owned(),
+                licence: unknown(),
+                attribution: unknown(),
+                source: file.to_owned(),
+            });
+        }
+        Ok(())
     }
 
     /// A fault found by a module that knows no recipe, at its place in the recipe. Messages carry their own remedy.

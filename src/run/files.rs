@@ -70,10 +70,7 @@ pub(super) fn finish_input(project: &Project) -> FinishInput {
 fn categories(project: &Project) -> Vec<String> {
     let mut labels: std::collections::BTreeSet<String> = project.plan.planned_labels().into_iter().collect();
     for spec in project.plan.scenes.iter().filter_map(|scene| scene.spec.environment.as_ref()) {
-        // It was loaded when the recipe was compiled, so this only looks it up.
-        if let Ok(environment) = project.assets.environment(spec) {
-            labels.extend(environment.things.iter().filter_map(|thing| thing.label.clone()));
-        }
+        labels.extend(spec.part_labels(&project.assets));
     }
     labels.into_iter().collect()
 }

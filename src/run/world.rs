@@ -17,7 +17,7 @@ pub struct World {
     built: Built,
     seed: u64,
     targets: Vec<Target>,
-    /// Built on the first question about a line of sight.
+    /// Of everything but the seabed, whose grid knows its own lines of sight. Built on the first question about one.
     sight: OnceLock<Bvh>,
 }
 
@@ -59,14 +59,22 @@ impl World {
         let around = Surroundings {
             ground: &|x, y| self.built.ground.height(x, y),
             targets: &self.targets,
-            clear: &|from: DVec3, to: DVec3| {
-                self.sight.get_or_init(|| Bvh::of_scene(&self.built.scene)).is_clear(from, to)
-            },
+            clear: &|from: DVec3, to: DVec3| self.is_clear(from, to),
             mount: &mount,
         };
         let frame = FrameOfRun { index: job.frame, count: header.frames };
         let mut stream = Stream::at(self.seed, "frame", header.number_in_variant(job.scene, job.frame), "trajectory");
         job.trajectory.pose(frame, &around, &mut stream).then_inner(&mount)
+    }
+
+    /// Whether nothing stands between two points.
+    fn is_clear(&self, from: DVec3, to: DVec3) -> bool {
+        let Built { scene, ground, .. } = &self.built;
+        // The seabed comes first among the instances.
+        let beside = || scene.instances.iter().skip(usize::from(ground.seabed.is_some()));
+        let sight = || Bvh::of(beside().map(|instance| (&*instance.mesh, instance.world_from_mesh)));
+        ground.seabed.as_ref().is_none_or(|grid| grid.is_clear(from, to))
+            && self.sight.get_or_init(sight).is_clear(from, to)
     }
 }
 

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::environment::{Environment, EnvironmentSpec};
 use super::mesh::Mesh;
+use super::seabed::{Raster, SeabedError};
 use crate::catalog::materials::{UNKNOWN, material_in_name};
 use crate::catalog::{Catalog, CatalogError, find_catalog};
 
@@ -25,6 +26,7 @@ pub struct AssetCache {
     catalogs: Slots<String, Catalog>,
     solids: Slots<(String, String), Solid>,
     environments: Slots<(String, String, String), Environment>,
+    rasters: Slots<String, Raster>,
 }
 
 impl AssetCache {
@@ -36,6 +38,7 @@ impl AssetCache {
             catalogs: Slots::default(),
             solids: Slots::default(),
             environments: Slots::default(),
+            rasters: Slots::default(),
         }
     }
 
@@ -62,13 +65,21 @@ impl AssetCache {
         })
     }
 
-    /// An environment; its file is found from the recipe's folder.
+    /// The environment in a file, which is found from the recipe's folder.
     ///
     /// # Errors
     /// If the file or the sediment is wrong or missing.
-    pub fn environment(&self, spec: &EnvironmentSpec) -> Result<Arc<Environment>, CatalogError> {
-        let key = (spec.glb.clone(), format!("{:?}", spec.labels), spec.sediment.clone());
-        self.environments.get(key, || Environment::load(spec, &self.recipe_dir.join(&spec.glb)))
+    pub fn environment(&self, spec: &EnvironmentSpec, glb: &str) -> Result<Arc<Environment>, CatalogError> {
+        let key = (glb.to_owned(), format!("{:?}", spec.labels), spec.sediment.clone());
+        self.environments.get(key, || Environment::load(spec, &self.recipe_dir.join(glb)))
+    }
+
+    /// A height map; its file is found from the recipe's folder.
+    ///
+    /// # Errors
+    /// If the file is missing or odd.
+    pub fn raster(&self, file: &str) -> Result<Arc<Raster>, SeabedError> {
+        self.rasters.get(file.into(), || Raster::load(&self.recipe_dir.join(file)))
     }
 }
 

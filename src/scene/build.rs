@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::assets::AssetCache;
-use super::environment::{EnvironmentSpec, Surface};
+use super::environment::{Environment, EnvironmentError, EnvironmentSpec, Source, Surface};
 use super::ground::Ground;
 use super::multipath::Multipath;
 use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
@@ -84,6 +84,9 @@ pub enum SceneError {
     /// The seabed.
     #[error(transparent)]
     Seabed(#[from] SeabedError),
+    /// A generated environment.
+    #[error(transparent)]
+    Environment(#[from] EnvironmentError),
     /// An object.
     #[error("bodies[{body}] ({label}): {problem}")]
     Body {
@@ -109,11 +112,16 @@ impl SceneSpec {
     /// See [`SceneError`].
     pub fn check(&self, assets: &AssetCache) -> Result<(), SceneError> {
         if let Some(seabed) = &self.seabed {
-            sediment(&seabed.sediment)?;
-            seabed.check()?;
+            seabed.check(assets)?;
         }
         if let Some(environment) = &self.environment {
-            assets.environment(environment)?;
+            match environment.source()? {
+                Source::Glb(glb) => assets.environment(environment, glb).map(|_| ())?,
+                Source::Kind(kind) if self.seabed.is_none() && !kind.has_floor() => {
+                    return Err(EnvironmentError::NoSeabed.into());
+                }
+                Source::Kind(_) => {}
+            }
         }
         for (body, spec) in self.bodies.iter().enumerate() {
             if let Some(problem) = spec.pose.fault() {
@@ -139,13 +147,19 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
     builder.scene.mirrors = spec.multipath.iter().flat_map(Multipath::mirrors).collect();
     builder.scene.texture_seed = Stream::at(seed, "scene", scene_index, "texture").bits();
     if let Some(seabed) = &spec.seabed {
-        let grid = seabed.build(&mut Stream::at(seed, "scene", scene_index, "seabed"))?;
-        let mesh = Arc::new(grid.mesh(&seabed.sediment));
-        builder.add(mesh, DAffine3::IDENTITY, 0, &[Surface::Sediment(seabed.sediment.clone())])?;
+        let grid = seabed.build(assets, &mut Stream::at(seed, "scene", scene_index, "seabed"))?;
+        let sediments: Vec<Surface> = grid.sediments().iter().cloned().map(Surface::Sediment).collect();
+        builder.add(Arc::new(grid.mesh()), DAffine3::IDENTITY, 0, &sediments)?;
         ground.seabed = Some(Arc::new(grid));
     }
     if let Some(environment) = &spec.environment {
-        let world = assets.environment(environment)?;
+        let world = match environment.source()? {
+            Source::Glb(glb) => assets.environment(environment, glb)?,
+            Source::Kind(kind) => {
+                let mut stream = Stream::at(seed, "scene", scene_index, "environment");
+                Arc::new(Environment::generate(kind, environment.labels, ground.seabed.as_deref(), &mut stream))
+            }
+        };
         for thing in &world.things {
             let body = match &thing.label {
                 Some(label) => builder.body(label, thing.node.clone(), &thing.mesh, &DAffine3::IDENTITY)?,
@@ -181,7 +195,7 @@ fn place(
     stream: &dyn Fn(usize) -> Stream,
 ) -> Result<Vec<Option<Standing>>, SceneError> {
     let mut places: Vec<Option<Standing>> = vec![None; spec.bodies.len()];
-    let mut taken: Vec<Footprint> = Vec::new();
+    let mut taken: Vec<Footprint> = ground.environment.iter().flat_map(|world| world.footprints.clone()).collect();
     let rests = |pose: &PoseSpec| matches!(pose, PoseSpec::Rest(_));
     let mut order: Vec<usize> = (0..spec.bodies.len()).collect();
     order.sort_by_key(|&body| rests(&spec.bodies[body].pose));

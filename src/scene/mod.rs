@@ -19,7 +19,7 @@ use glam::{DAffine3, DVec3};
 pub use assets::AssetCache;
 pub use build::{BodySpec, Built, Dropped, SceneError, SceneSpec, build};
 pub use bvh::{Bvh, Hit};
-pub use environment::{EnvironmentSpec, Labels};
+pub use environment::{EnvironmentError, EnvironmentSpec, Kind, Labels};
 pub use ground::Ground;
 pub use mesh::{Cluster, Mesh};
 pub use multipath::{Mirror, Multipath};

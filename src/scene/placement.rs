@@ -200,7 +200,7 @@ impl Tipped {
 
 impl Footprint {
     /// The rectangle along `axis` about points of the world.
-    fn of(points: &[DVec3], axis: DVec2) -> Self {
+    pub(super) fn of(points: &[DVec3], axis: DVec2) -> Self {
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for point in points {
             let along = DVec2::new(point.truncate().dot(axis), point.truncate().dot(axis.perp()));

@@ -172,8 +172,8 @@ fn bodies_rest_on_an_environment() {
     fs::write(folder.path().join("world.glb"), glb(&cube(), slab, |_| ())).expect("write");
     let mut spec = crowd(4, 4.0, 0.0);
     spec.seabed = None;
-    spec.environment =
-        Some(EnvironmentSpec { glb: "world.glb".into(), labels: Labels::ByNode, sediment: "gravel".into() });
+    let (glb, labels) = (Some("world.glb".into()), Labels::ByNode);
+    spec.environment = Some(EnvironmentSpec { glb, kind: None, labels, sediment: "gravel".into() });
     let built = build(&spec, &AssetCache::new(folder.path()), 2, 0).expect("a scene");
     assert_eq!(built.scene.bodies.len(), 5);
     assert_eq!((built.scene.bodies[0].label.as_str(), built.scene.instances[0].body), ("mine", 0));

@@ -22,6 +22,12 @@ pub struct Fractal {
 }
 
 impl Fractal {
+    /// Roughness for a shape to stand on: from `longest_m` down to three cells.
+    pub(super) fn rough(rms_m: f64, longest_m: f64, grid: &HeightGrid) -> Self {
+        let shortest_m = 3.0 * grid.cell();
+        Self { rms_m, longest_m: longest_m.max(shortest_m), shortest_m, hurst: 0.8 }
+    }
+
     pub(super) fn check(&self, cell_m: f64) -> Result<(), SeabedError> {
         not_negative("rms_m", self.rms_m)?;
         positive("shortest_m", self.shortest_m)?;
@@ -36,6 +42,9 @@ impl Fractal {
 
     /// Adds the roughness to a grid.
     pub(super) fn raise(&self, grid: &mut HeightGrid, stream: &mut Stream) {
+        if self.rms_m <= 0.0 {
+            return;
+        }
         let mut rough = HeightGrid::flat(grid.extent(), grid.cell());
         for wavelength in self.wavelengths() {
             let noise = Noise::new(wavelength, grid.reach(), stream);

@@ -1,28 +1,30 @@
-//! Heights on a square grid: what is added to it, what stands on it, and its mesh.
+//! Heights on a square grid and the sediments of its cells: what is added to it, what stands on it.
 
-use glam::{DVec3, Vec3};
-
-use crate::scene::mesh::{Cluster, Mesh};
-
-/// Cells along the side of a tile: 2 · 16² triangles are one full cluster.
-const TILE: usize = 16;
+use glam::{DVec2, DVec3};
 
 /// Heights at the corners of square cells about the world's origin; between them the two triangles of each cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightGrid {
     /// Row by row from low y, low x first.
-    heights: Vec<f32>,
+    pub(super) heights: Vec<f32>,
     /// Cells along a side.
-    cells: usize,
+    pub(super) cells: usize,
     /// Side of the square, metres.
     extent: f64,
+    /// Names of sediments; the first covers what no other does.
+    pub(super) sediments: Vec<String>,
+    /// Number of each cell's sediment, row by row; empty if all have the first.
+    pub(super) cover: Vec<u8>,
+    /// Doublings of the cells of each tile; empty if there are none.
+    pub(super) levels: Vec<u8>,
 }
 
 impl HeightGrid {
     /// All heights 0, in cells of about `cell` metres: as many as fit best.
     pub(super) fn flat(extent: f64, cell: f64) -> Self {
         let cells = ((extent / cell).round() as usize).max(1);
-        Self { heights: vec![0.0; (cells + 1) * (cells + 1)], cells, extent }
+        let heights = vec![0.0; (cells + 1) * (cells + 1)];
+        Self { heights, cells, extent, sediments: vec![String::new()], cover: Vec::new(), levels: Vec::new() }
     }
 
     /// Side of the square, metres.
@@ -43,6 +45,12 @@ impl HeightGrid {
         &self.heights
     }
 
+    /// Names of the sediments that it is made of: the material slots of its mesh.
+    #[must_use]
+    pub fn sediments(&self) -> &[String] {
+        &self.sediments
+    }
+
     /// Height of the surface at a point of the world, metres; beyond the square that of its nearest edge.
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
@@ -60,12 +68,35 @@ impl HeightGrid {
         }
     }
 
-    /// The surface as a mesh of one material.
+    /// Whether the straight way between two points lies above the surface, both ends left out by a millimetre.
+    ///
+    /// Along the way the surface is straight from edge to edge of its triangles, so heights are compared there only.
     #[must_use]
-    pub fn mesh(&self, material: &str) -> Mesh {
-        let starts = || (0..self.cells).step_by(TILE);
-        let tiles = starts().flat_map(|row| starts().map(move |column| self.tile(column, row)));
-        Mesh::from_clusters(tiles.collect(), vec![material.into()])
+    pub fn is_clear(&self, from: DVec3, to: DVec3) -> bool {
+        const MARGIN_M: f64 = 1e-3;
+        let way = to - from;
+        let margin = MARGIN_M / way.length();
+        if margin.is_nan() || margin >= 0.5 {
+            return true;
+        }
+        let above = |share: f64| {
+            let place = from + way * share;
+            let outside = place.x.abs().max(place.y.abs()) > 0.5 * self.extent;
+            outside || place.z >= self.height(place.x, place.y)
+        };
+        let cell = self.cell();
+        let crossings = |start: f64, end: f64| {
+            let (start, end) = (start / cell, end / cell);
+            let lines = start.min(end).ceil() as i64..=start.max(end).floor() as i64;
+            lines.map(move |line| (line as f64 - start) / (end - start))
+        };
+        // Grid lines lie a whole number of cells from the corner; diagonals where those of x and of y are as far apart.
+        let corner = 0.5 * self.extent;
+        let across =
+            [(from.x + corner, to.x + corner), (from.y + corner, to.y + corner), (from.x - from.y, to.x - to.y)];
+        let inner = |share: &f64| (margin..=1.0 - margin).contains(share);
+        [margin, 1.0 - margin].into_iter().all(above)
+            && across.into_iter().flat_map(|(start, end)| crossings(start, end)).filter(inner).all(above)
     }
 
     /// Furthest distance from the origin to a corner of the square, metres.
@@ -93,6 +124,76 @@ impl HeightGrid {
         }
     }
 
+    /// Lifts the surface to `top` where that is higher, within a distance of a place; what is lifted is of a sediment.
+    pub(super) fn raise_to(&mut self, middle: DVec2, radius: f64, top: impl Fn(f64, f64) -> f64, sediment: &str) {
+        let number = self.number(sediment);
+        let lines = |coordinate: f64, top: usize| {
+            let line = |v: f64| ((v / self.extent + 0.5) * self.cells as f64).clamp(0.0, self.cells as f64) as usize;
+            line(coordinate - radius)..=(line(coordinate + radius) + 1).min(top)
+        };
+        let half = 0.5 * self.cell();
+        let (cells_x, cells_y) = (lines(middle.x, self.cells - 1), lines(middle.y, self.cells - 1));
+        let (lines_x, lines_y) = (lines(middle.x, self.cells), lines(middle.y, self.cells));
+        for (row, column) in cells_y.flat_map(|row| cells_x.clone().map(move |column| (row, column))) {
+            let (x, y) = (self.place(column) + half, self.place(row) + half);
+            if top(x, y) > self.height(x, y) {
+                self.cover[row * self.cells + column] = number;
+            }
+        }
+        for (row, column) in lines_y.flat_map(|row| lines_x.clone().map(move |column| (row, column))) {
+            let top = top(self.place(column), self.place(row)) as f32;
+            let here = &mut self.heights[row * (self.cells + 1) + column];
+            *here = here.max(top);
+        }
+    }
+
+    /// Makes the cells whose middle is `within` of a sediment.
+    pub(super) fn paint(&mut self, sediment: &str, within: impl Fn(f64, f64) -> bool) {
+        let chosen = self.of_cells(within);
+        self.paint_cells(sediment, |cell| chosen[cell]);
+    }
+
+    /// Makes chosen cells, by their number, of a sediment.
+    pub(super) fn paint_cells(&mut self, sediment: &str, mut chosen: impl FnMut(usize) -> bool) {
+        let number = self.number(sediment);
+        for (cell, cover) in self.cover.iter_mut().enumerate() {
+            if chosen(cell) {
+                *cover = number;
+            }
+        }
+    }
+
+    /// A value for the middle of each cell, row by row.
+    pub(super) fn of_cells<T>(&self, value: impl Fn(f64, f64) -> T) -> Vec<T> {
+        let half = 0.5 * self.cell();
+        let cells = (0..self.cells).flat_map(|row| (0..self.cells).map(move |column| (row, column)));
+        cells.map(|(row, column)| value(self.place(column) + half, self.place(row) + half)).collect()
+    }
+
+    /// Height of each cell above the mean of the square of cells within `reach` metres of it along x and y.
+    pub(super) fn relief(&self, reach: f64) -> Vec<f32> {
+        let n = self.cells;
+        let here = self.of_cells(|x, y| self.height(x, y));
+        // sums[j·(n + 1) + i] is the sum of all cells below row j and left of column i.
+        let mut sums = vec![0.0; (n + 1) * (n + 1)];
+        for (row, line) in here.chunks_exact(n).enumerate() {
+            let mut along = 0.0;
+            for (column, height) in line.iter().enumerate() {
+                along += height;
+                sums[(row + 1) * (n + 1) + column + 1] = sums[row * (n + 1) + column + 1] + along;
+            }
+        }
+        let near = ((reach / self.cell()).round() as usize).max(1);
+        let around = |cell: usize| (cell.saturating_sub(near), (cell + near + 1).min(n));
+        let mean = |row: usize, column: usize| {
+            let ((south, north), (west, east)) = (around(row), around(column));
+            let at = |row: usize, column: usize| sums[row * (n + 1) + column];
+            let sum = at(north, east) - at(north, west) - at(south, east) + at(south, west);
+            sum / ((north - south) * (east - west)) as f64
+        };
+        here.iter().enumerate().map(|(cell, height)| (height - mean(cell / n, cell % n)) as f32).collect()
+    }
+
     pub(super) fn subtract_mean(&mut self) {
         let mean = self.heights.iter().map(|&h| f64::from(h)).sum::<f64>() / self.heights.len() as f64;
         self.heights.iter_mut().for_each(|h| *h = (f64::from(*h) - mean) as f32);
@@ -104,8 +205,21 @@ impl HeightGrid {
     }
 
     /// Coordinate of a grid line, metres.
-    fn place(&self, line: usize) -> f64 {
+    pub(super) fn place(&self, line: usize) -> f64 {
         self.extent * (line as f64 / self.cells as f64 - 0.5)
+    }
+
+    /// Number of a sediment, a new one if it is not known yet. From here on every cell has its number.
+    fn number(&mut self, sediment: &str) -> u8 {
+        if self.cover.is_empty() {
+            self.cover = vec![0; self.cells * self.cells];
+        }
+        let known = self.sediments.iter().position(|name| name == sediment);
+        // The table of sediments is far shorter than 256.
+        known.unwrap_or_else(|| {
+            self.sediments.push(sediment.into());
+            self.sediments.len() - 1
+        }) as u8
     }
 
     /// Cell of a coordinate and the share of it that lies below the coordinate.
@@ -114,47 +228,34 @@ impl HeightGrid {
         let cell = (place as usize).min(self.cells - 1);
         (cell, place - cell as f64)
     }
-
-    fn tile(&self, column: usize, row: usize) -> Cluster {
-        let (wide, high) = (TILE.min(self.cells - column), TILE.min(self.cells - row));
-        let side = wide + 1;
-        let mut vertices = Vec::with_capacity(side * (high + 1));
-        for j in row..=row + high {
-            for i in column..=column + wide {
-                let at = DVec3::new(self.place(i), self.place(j), self.heights[j * (self.cells + 1) + i].into());
-                vertices.push(Vec3::new(at.x as f32, at.y as f32, at.z as f32));
-            }
-        }
-        let mut triangles = Vec::with_capacity(2 * wide * high);
-        for (j, i) in (0..high).flat_map(|j| (0..wide).map(move |i| (j, i))) {
-            let low = (j * side + i) as u16;
-            let (right, left) = (low + 1, low + side as u16);
-            triangles.push([low, right, left + 1]);
-            triangles.push([low, left + 1, left]);
-        }
-        Cluster::new(&vertices, triangles, 0)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::rng::Stream;
+    use crate::scene::bvh::Bvh;
+    use glam::DAffine3;
 
     #[test]
-    fn the_mesh_is_the_surface_that_height_tells() {
-        let mut grid = HeightGrid::flat(4.0, 0.1);
-        grid.add(|x, y| 0.3 * x * y - 0.1 * x);
-        let mesh = grid.mesh("silt");
-        assert_eq!(mesh.triangle_count, 2 * 40 * 40);
-        assert_eq!(mesh.clusters.len(), 9);
-        let mut area = 0.0;
-        for [a, b, c] in mesh.triangles() {
-            let (normal, middle) = ((b - a).cross(c - a), (a + b + c) / 3.0);
-            assert!(normal.z > 0.0);
-            area += 0.5 * normal.z;
-            assert!((grid.height(middle.x.into(), middle.y.into()) - f64::from(middle.z)).abs() < 1e-6);
+    fn sight_over_the_grid_is_sight_over_its_mesh() {
+        let mut grid = HeightGrid::flat(8.0, 0.2);
+        grid.add(|x, y| 0.4 * crate::math::real::sin(2.0 * x) * crate::math::real::cos(3.0 * y));
+        let mesh = grid.mesh();
+        let bvh = Bvh::of([(&mesh, DAffine3::IDENTITY)]);
+        let mut stream = Stream::at(1, "test", 0, "sight");
+        let mut point = |low: f64| {
+            let (x, y) = (stream.uniform(-4.0, 4.0), stream.uniform(-4.0, 4.0));
+            DVec3::new(x, y, grid.height(x, y) + low + stream.uniform(0.01, 0.5))
+        };
+        let mut clear = 0;
+        for _ in 0..2000 {
+            let (from, to) = (point(0.2), point(0.0));
+            assert_eq!(grid.is_clear(from, to), bvh.is_clear(from, to), "{from} {to}");
+            clear += u32::from(grid.is_clear(from, to));
         }
-        assert!((area - 16.0).abs() < 1e-3, "{area}");
-        assert_eq!(grid.height(50.0, 0.0), grid.height(2.0, 0.0));
+        assert!((300..1700).contains(&clear), "{clear} clear ways are no test");
+        let (above, on) = (DVec3::new(0.3, 0.2, 2.0), DVec3::new(0.3, 0.2, grid.height(0.3, 0.2)));
+        assert!(grid.is_clear(above, on) && !grid.is_clear(above, on - DVec3::Z));
     }
 }

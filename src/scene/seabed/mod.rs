@@ -6,21 +6,48 @@
 mod flat;
 mod fractal;
 mod grid;
+mod height_map;
 mod noise;
+mod patches;
+mod pipeline_trench;
+mod raster;
+mod reef;
 mod ripples;
+mod rock_field;
+mod rubble;
+mod sand_waves;
+mod slope;
+mod stones;
+mod tiles;
+mod trench;
+
+use std::path::PathBuf;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::assets::AssetCache;
+use crate::catalog::materials;
 use crate::math::rng::Stream;
 
 pub use flat::Flat;
 pub use fractal::Fractal;
 pub use grid::HeightGrid;
+pub use height_map::HeightMap;
+pub use patches::{Gathering, Patch};
+pub use pipeline_trench::PipelineTrench;
+pub use raster::Raster;
+pub use reef::Reef;
 pub use ripples::Ripples;
+pub use rock_field::RockField;
+pub use rubble::Rubble;
+pub use sand_waves::SandWaves;
+pub use slope::Slope;
+pub use trench::Trench;
 
-/// Most triangles of one seabed.
-const MAX_TRIANGLES: f64 = 8e6;
+/// Most triangles of one seabed in cells of `cell_m`: 300 MB of mesh.
+const MAX_TRIANGLES: f64 = 2e7;
 
 /// A square of seabed centred at the world's origin.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +61,13 @@ pub struct SeabedSpec {
     pub extent_m: f64,
     /// Side of a cell of two triangles, metres.
     pub cell_m: f64,
+    /// Side of the middle square that is shown in these cells, metres; beyond it cells grow with the distance, up to
+    /// sixteenfold. Without it all cells are alike.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fine_m: Option<f64>,
+    /// Other sediments on parts of it, each on those before it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub patches: Vec<Patch>,
 }
 
 /// Kinds of seabed.
@@ -46,6 +80,22 @@ pub enum Shape {
     Fractal(Fractal),
     /// Sand ripples with wandering crests.
     Ripples(Ripples),
+    /// An even rise.
+    Slope(Slope),
+    /// Dunes with ripples on them.
+    SandWaves(SandWaves),
+    /// Boulders on softer ground.
+    RockField(RockField),
+    /// Cobbles side by side.
+    Rubble(Rubble),
+    /// Ledges and coral heads in sand.
+    Reef(Reef),
+    /// Dredge marks.
+    Trench(Trench),
+    /// A trench for a pipeline.
+    PipelineTrench(PipelineTrench),
+    /// Heights from a file.
+    HeightMap(HeightMap),
 }
 
 /// A seabed that cannot be built.
@@ -63,7 +113,7 @@ pub enum SeabedError {
     },
     /// More triangles than one seabed may have.
     #[error(
-        "seabed: {extent_m} m in cells of {cell_m} m are {triangles:.1e} triangles, more than 8e6; \
+        "seabed: {extent_m} m in cells of {cell_m} m are {triangles:.1e} triangles, more than 2e7; \
          take cells of {enough_m:.3} m or a smaller extent_m"
     )]
     TooFine {
@@ -88,44 +138,117 @@ pub enum SeabedError {
         /// Cells that would do.
         enough_m: f64,
     },
+    /// A sediment that no table has.
+    #[error("seabed: {0}")]
+    Sediment(String),
+    /// A height map that cannot be used.
+    #[error("{path} {problem}", path = path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, reading on from its name, and the remedy.
+        problem: String,
+    },
 }
 
 impl SeabedSpec {
-    /// Whether it can be built; [`SeabedSpec::build`] fails with the same errors.
+    /// Whether it can be built, height maps read included; [`SeabedSpec::build`] fails with the same errors.
     ///
     /// # Errors
     /// See [`SeabedError`].
-    pub fn check(&self) -> Result<(), SeabedError> {
+    pub fn check(&self, assets: &AssetCache) -> Result<(), SeabedError> {
         positive("extent_m", self.extent_m)?;
         positive("cell_m", self.cell_m)?;
+        sediment(&self.sediment)?;
+        self.fine_m.map_or(Ok(()), |fine| positive("fine_m", fine))?;
+        self.patches.iter().try_for_each(|patch| patch.check(self.cell_m))?;
         let triangles = 2.0 * (self.extent_m / self.cell_m) * (self.extent_m / self.cell_m);
         if triangles > MAX_TRIANGLES {
             let (extent_m, cell_m) = (self.extent_m, self.cell_m);
             let enough_m = extent_m / (MAX_TRIANGLES / 2.0).sqrt();
             return Err(SeabedError::TooFine { extent_m, cell_m, triangles, enough_m });
         }
-        match &self.shape {
-            Shape::Flat(flat) => flat.check(),
-            Shape::Fractal(fractal) => fractal.check(self.cell_m),
-            Shape::Ripples(ripples) => ripples.check(self.cell_m),
-        }
+        self.shape.check(self.cell_m)?;
+        self.raster(assets).map(|_| ())
     }
 
-    /// Samples the shape: heights of mean 0. The same stream gives the same bits.
+    /// Samples the shape: heights of mean 0. The same stream and files give the same bits.
     ///
     /// # Errors
     /// See [`SeabedError`].
-    pub fn build(&self, stream: &mut Stream) -> Result<HeightGrid, SeabedError> {
-        self.check()?;
+    pub fn build(&self, assets: &AssetCache, stream: &mut Stream) -> Result<HeightGrid, SeabedError> {
+        self.check(assets)?;
         let mut grid = HeightGrid::flat(self.extent_m, self.cell_m);
+        grid.sediments[0].clone_from(&self.sediment);
         match &self.shape {
             Shape::Flat(flat) => flat.raise(&mut grid),
             Shape::Fractal(fractal) => fractal.raise(&mut grid, stream),
             Shape::Ripples(ripples) => ripples.raise(&mut grid, stream),
+            Shape::Slope(slope) => slope.raise(&mut grid, stream),
+            Shape::SandWaves(waves) => waves.raise(&mut grid, stream),
+            Shape::RockField(rocks) => rocks.raise(&mut grid, stream),
+            Shape::Rubble(rubble) => rubble.raise(&mut grid, stream),
+            Shape::Reef(reef) => reef.raise(&mut grid, stream),
+            Shape::Trench(trench) => trench.raise(&mut grid, stream),
+            Shape::PipelineTrench(trench) => trench.raise(&mut grid, stream),
+            Shape::HeightMap(map) => self.raster(assets)?.iter().for_each(|raster| map.raise(&mut grid, raster)),
         }
         grid.subtract_mean();
+        self.patches.iter().for_each(|patch| patch.cover(&mut grid, stream));
+        self.fine_m.iter().for_each(|&fine| grid.coarsen(fine));
         Ok(grid)
     }
+
+    /// File of its height map, from the recipe's folder.
+    #[must_use]
+    pub fn file(&self) -> Option<&str> {
+        if let Shape::HeightMap(map) = &self.shape { Some(&map.file) } else { None }
+    }
+
+    fn raster(&self, assets: &AssetCache) -> Result<Option<Arc<Raster>>, SeabedError> {
+        let Shape::HeightMap(map) = &self.shape else { return Ok(None) };
+        let raster = assets.raster(&map.file)?;
+        map.check_map(&raster)?;
+        Ok(Some(raster))
+    }
+}
+
+impl Shape {
+    fn check(&self, cell_m: f64) -> Result<(), SeabedError> {
+        match self {
+            Self::Flat(flat) => flat.check(),
+            Self::Fractal(fractal) => fractal.check(cell_m),
+            Self::Ripples(ripples) => ripples.check(cell_m),
+            Self::Slope(slope) => slope.check(cell_m),
+            Self::SandWaves(waves) => waves.check(cell_m),
+            Self::RockField(rocks) => rocks.check(cell_m),
+            Self::Rubble(rubble) => rubble.check(cell_m),
+            Self::Reef(reef) => reef.check(cell_m),
+            Self::Trench(trench) => trench.check(cell_m),
+            Self::PipelineTrench(trench) => trench.check(cell_m),
+            Self::HeightMap(map) => map.check(),
+        }
+    }
+}
+
+fn sediment(name: &str) -> Result<(), SeabedError> {
+    materials::sediment(name).map(|_| ()).map_err(|fault| SeabedError::Sediment(fault.to_string()))
+}
+
+fn within(name: &'static str, value: f64, [low, high]: [f64; 2], range: &'static str) -> Result<(), SeabedError> {
+    let fine = value.is_finite() && (low..=high).contains(&value);
+    if fine { Ok(()) } else { Err(SeabedError::Range { name, value, range }) }
+}
+
+fn direction(name: &'static str, value: f64) -> Result<(), SeabedError> {
+    within(name, value, [f64::MIN, f64::MAX], "a number")
+}
+
+/// Smallest and largest, the smallest of at least `cells` cells.
+fn sizes(name: &'static str, [small, large]: [f64; 2], cell_m: f64, cells: f64) -> Result<(), SeabedError> {
+    positive(name, small)?;
+    within(name, large, [small, f64::MAX], "[smallest, largest]")?;
+    shown(name, small, cell_m, cells)
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), SeabedError> {
@@ -148,83 +271,4 @@ fn shown(name: &'static str, wave_m: f64, cell_m: f64, cells: f64) -> Result<(),
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn spec(shape: &str) -> SeabedSpec {
-        let text = format!("{{shape: {shape}, sediment: fine-sand, extent_m: 20, cell_m: 0.05}}");
-        read(&text).expect(shape)
-    }
-
-    /// As recipes are read: YAML to a tree, the tree to types.
-    fn read<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, serde_json::Error> {
-        serde_json::from_value(serde_yaml::from_str(text).expect("YAML"))
-    }
-
-    const FRACTAL: &str = "{fractal: {rms_m: 0.12, longest_m: 8, shortest_m: 0.2, hurst: 0.8}}";
-    const RIPPLES: &str =
-        "{ripples: {wavelength_m: 0.4, height_m: 0.05, direction_deg: 30, irregularity: 0.3, rms_m: 0.02}}";
-
-    fn build(shape: &str, seed: u64) -> HeightGrid {
-        spec(shape).build(&mut Stream::at(seed, "scene", 0, "seabed")).expect(shape)
-    }
-
-    fn moments(grid: &HeightGrid) -> (f64, f64) {
-        let n = grid.heights().len() as f64;
-        let mean = grid.heights().iter().map(|&h| f64::from(h)).sum::<f64>() / n;
-        let square = grid.heights().iter().map(|&h| (f64::from(h) - mean) * (f64::from(h) - mean)).sum::<f64>() / n;
-        (mean, square.sqrt())
-    }
-
-    #[test]
-    fn means_are_zero_and_heights_as_asked() {
-        let (mean, rms) = moments(&build("{flat: {}}", 1));
-        assert_eq!((mean, rms), (0.0, 0.0));
-        for seed in 0..4 {
-            let (mean, rms) = moments(&build(FRACTAL, seed));
-            assert!(mean.abs() < 1e-6 && (rms - 0.12).abs() < 1e-4, "{mean} {rms}");
-        }
-        let straight = RIPPLES.replace("irregularity: 0.3, rms_m: 0.02", "irregularity: 0, rms_m: 0");
-        let grid = build(&straight, 3);
-        let (low, high) = grid.heights().iter().fold((f32::MAX, f32::MIN), |(a, b), &h| (a.min(h), b.max(h)));
-        assert!(((high - low) - 0.05).abs() < 5e-4, "{low} {high}");
-        assert!(moments(&grid).0.abs() < 1e-6);
-    }
-
-    #[test]
-    fn one_seed_gives_one_seabed() {
-        for shape in [FRACTAL, RIPPLES] {
-            assert_eq!(build(shape, 5).heights(), build(shape, 5).heights());
-            assert_ne!(build(shape, 5).heights(), build(shape, 6).heights());
-        }
-    }
-
-    #[test]
-    fn ripples_run_across_their_direction() {
-        let along = |direction: &str| {
-            let grid = build(&RIPPLES.replace("direction_deg: 30", direction).replace("rms_m: 0.02", "rms_m: 0"), 2);
-            // Steps of half a wavelength along x turn crests into troughs if the ripples travel along x.
-            let pairs = (0..300).map(|k| -8.0 + 0.05 * f64::from(k));
-            pairs.map(|x| grid.height(x, 1.0) * grid.height(x + 0.2, 1.0)).sum::<f64>()
-        };
-        assert!(along("direction_deg: 0") < 0.0, "{}", along("direction_deg: 0"));
-        assert!(along("direction_deg: 90") > 0.0, "{}", along("direction_deg: 90"));
-    }
-
-    #[test]
-    fn what_cannot_be_built_is_refused_with_a_remedy() {
-        let with = |shape: &str, edit: &dyn Fn(&mut SeabedSpec)| {
-            let mut spec = spec(shape);
-            edit(&mut spec);
-            spec.check().expect_err(shape).to_string()
-        };
-        assert!(with("{flat: {}}", &|s| s.cell_m = 0.005).contains("take cells of 0.010 m"));
-        assert!(with("{flat: {}}", &|s| s.extent_m = -1.0).contains("extent_m is -1"));
-        assert!(with("{flat: {}}", &|s| s.cell_m = f64::NAN).contains("cell_m"));
-        assert!(with(RIPPLES, &|s| s.cell_m = 0.2).contains("wavelength_m is 0.4 m"));
-        assert!(with(FRACTAL, &|s| s.cell_m = 0.15).contains("shortest_m"));
-        let backwards = FRACTAL.replace("longest_m: 8", "longest_m: 0.1");
-        assert!(with(&backwards, &|_| ()).contains("longest_m"));
-        assert!(read::<Shape>("{flat: {rms_m: 1}}").is_err());
-    }
-}
+mod tests;

@@ -1,27 +1,56 @@
-//! Environments: a whole GLB as a fixed world, at the file's own scale.
+//! Environments: a whole GLB as a fixed world, at the file's own scale, or structures that are generated on a seabed.
+
+mod dam;
+mod harbour;
+mod kinds;
+mod net_pen;
+mod pier;
+mod pipeline;
+mod quay;
+mod solid;
+mod structure;
+mod tank;
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use glam::DAffine3;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
+pub use dam::Dam;
+pub use harbour::Harbour;
+pub use kinds::Kind;
+pub use net_pen::NetPen;
+pub use pier::Pier;
+pub use pipeline::Pipeline;
+pub use tank::Tank;
+
+use super::assets::AssetCache;
 use super::bvh::Bvh;
 use super::mesh::Mesh;
+use super::placement::Footprint;
+use super::seabed::HeightGrid;
 use crate::catalog::materials::{self, UNKNOWN, material_in_name};
 use crate::catalog::{CatalogError, Part, load_model};
+use crate::math::rng::Stream;
+use structure::{Bottom, Site, Structure};
 
 /// Names of nodes that are no bodies.
 const BACKGROUND: [&str; 5] = ["seabed", "ground", "terrain", "water", "background"];
 /// Those of them that are made of the sediment.
 const BOTTOM: [&str; 3] = ["seabed", "ground", "terrain"];
 
-/// A fixed world: metres as in the file, its y-up frame turned to ours.
+/// A fixed world: either a GLB file, metres as in the file and its y-up frame turned to ours, or a generated kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EnvironmentSpec {
     /// The file, from the recipe's folder.
-    pub glb: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub glb: Option<String>,
+    /// What is generated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<Kind>,
     /// What becomes a labelled body.
     pub labels: Labels,
     /// Sediment of the nodes called seabed, ground or terrain.
@@ -35,14 +64,51 @@ pub enum Labels {
     /// Nothing: all of it is background.
     None,
     /// Every node with a mesh but those called seabed, ground, terrain, water or background. The label is the node's
-    /// `extras.categoryID`, else its name without trailing digits.
+    /// `extras.categoryID`, else its name without trailing digits. Of a generated kind every part, by its name.
+    #[serde(alias = "by-part")]
     ByNode,
+}
+
+/// An environment that cannot be generated.
+#[derive(Debug, Error, PartialEq)]
+pub enum EnvironmentError {
+    /// Neither a file nor a kind, or both.
+    #[error("environment: write either `glb`, a file, or `kind`, what to generate")]
+    Choice,
+    /// A structure without ground.
+    #[error("environment: this kind stands on a seabed; add for example `seabed: {{shape: flat}}`")]
+    NoSeabed,
+    /// A number beyond its range.
+    #[error("environment: {name} is {value}, which is not from {low} to {high}")]
+    Range {
+        /// The parameter.
+        name: &'static str,
+        /// What it is.
+        value: f64,
+        /// Least that it may be.
+        low: f64,
+        /// Most that it may be.
+        high: f64,
+    },
+    /// A material that no table has.
+    #[error("environment: {0}")]
+    Material(String),
+    /// A net that is too fine.
+    #[error("environment: a net of {mesh_m} m meshes has {bars:.0} bars, more than 40000; take a larger mesh_m")]
+    TooManyBars {
+        /// How many there are.
+        bars: f64,
+        /// Side of a mesh.
+        mesh_m: f64,
+    },
 }
 
 /// A loaded environment.
 pub struct Environment {
     /// Background first, else in file order.
     pub things: Vec<Thing>,
+    /// What it takes of the ground: nothing comes to rest there.
+    pub(super) footprints: Vec<Footprint>,
     bvh: OnceLock<Bvh>,
 }
 
@@ -57,6 +123,17 @@ pub struct Thing {
     pub label: Option<String>,
     /// What each material slot of the mesh is made of.
     pub materials: Vec<Surface>,
+    /// Whether it is ground.
+    pub role: Role,
+}
+
+/// What a thing of an environment is to what rests and moves in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Things rest on it, altitudes are measured from it.
+    Ground,
+    /// It stands in the way.
+    Structure,
 }
 
 /// What a surface of an environment is made of.
@@ -82,13 +159,64 @@ impl Environment {
         parts.sort_by_key(|part| part.node_number);
         let mut things: Vec<Thing> = parts.chunk_by(same_node).map(|parts| Thing::new(spec, parts)).collect();
         things.sort_by_key(|thing| thing.label.is_some());
-        Ok(Self { things, bvh: OnceLock::new() })
+        Ok(Self { things, footprints: Vec::new(), bvh: OnceLock::new() })
     }
 
-    /// All surfaces, for rays; built on first use.
-    pub fn bvh(&self) -> &Bvh {
-        self.bvh.get_or_init(|| Bvh::of(self.things.iter().map(|thing| (&*thing.mesh, DAffine3::IDENTITY))))
+    /// Generates a kind on a seabed. The same stream gives the same bits.
+    pub(super) fn generate(kind: &Kind, labels: Labels, seabed: Option<&HeightGrid>, stream: &mut Stream) -> Self {
+        let bottom = if seabed.is_some() { Bottom::Seabed } else { Bottom::Nothing };
+        let ground = |x: f64, y: f64| seabed.map_or(0.0, |grid| grid.height(x, y));
+        let lowest = seabed.map_or(0.0, |grid| f64::from(grid.heights().iter().fold(0.0, |low: f32, &h| low.min(h))));
+        let site = Site { ground: &ground, foot: (lowest - 1.0).min(-4.0), bottom, labels };
+        let mut structure = Structure::new(&site);
+        kind.raise(&mut structure, stream);
+        let Structure { mut things, footprints, .. } = structure;
+        things.sort_by_key(|thing| thing.label.is_some());
+        Self { things, footprints, bvh: OnceLock::new() }
     }
+
+    /// Its ground, for rays; built on first use.
+    pub fn bvh(&self) -> &Bvh {
+        let ground = || self.things.iter().filter(|thing| thing.role == Role::Ground);
+        self.bvh.get_or_init(|| Bvh::of(ground().map(|thing| (&*thing.mesh, DAffine3::IDENTITY))))
+    }
+}
+
+impl EnvironmentSpec {
+    /// What it is made from.
+    ///
+    /// # Errors
+    /// If it says neither or both, or a kind cannot be generated.
+    pub fn source(&self) -> Result<Source<'_>, EnvironmentError> {
+        match (&self.glb, &self.kind) {
+            (Some(glb), None) => Ok(Source::Glb(glb)),
+            (None, Some(kind)) => kind.check().map(|()| Source::Kind(kind)),
+            _ => Err(EnvironmentError::Choice),
+        }
+    }
+
+    /// Labels that its parts may have; of a file that cannot be read, none.
+    #[must_use]
+    pub fn part_labels(&self, assets: &AssetCache) -> Vec<String> {
+        match self.source() {
+            _ if self.labels == Labels::None => Vec::new(),
+            Ok(Source::Kind(kind)) => kind.parts().iter().map(|&part| part.to_owned()).collect(),
+            Ok(Source::Glb(glb)) => assets.environment(self, glb).map_or_else(
+                |_| Vec::new(),
+                |world| world.things.iter().filter_map(|thing| thing.label.clone()).collect(),
+            ),
+            Err(_) => Vec::new(),
+        }
+    }
+}
+
+/// What an environment is made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source<'a> {
+    /// A file.
+    Glb(&'a str),
+    /// A generated kind, whose numbers are sound.
+    Kind(&'a Kind),
 }
 
 impl std::fmt::Debug for Environment {
@@ -115,7 +243,7 @@ impl Thing {
             None => Surface::Material(UNKNOWN.into()),
         };
         let materials = mesh.materials.iter().map(surface).collect();
-        Self { mesh: Arc::new(mesh), node: node.to_string(), label, materials }
+        Self { mesh: Arc::new(mesh), node: node.to_string(), label, materials, role: Role::Ground }
     }
 }
 
@@ -147,7 +275,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("scene.glb");
         fs::write(&path, glb(&cube(), nodes, |root| root["materials"][0]["name"] = json!("mat_0"))).expect("write");
-        let spec = |labels| EnvironmentSpec { glb: "scene.glb".into(), labels, sediment: "silt".into() };
+        let spec =
+            |labels| EnvironmentSpec { glb: Some("scene.glb".into()), kind: None, labels, sediment: "silt".into() };
         let world = Environment::load(&spec(Labels::ByNode), &path).expect("a sound file");
         let labels: Vec<_> = world.things.iter().map(|thing| thing.label.as_deref()).collect();
         assert_eq!(labels, [None, Some("anchor"), Some("tyre")]);
