@@ -2,8 +2,9 @@
 
 mod support;
 
+use ensonify::recipe::Outside;
 use ensonify::recipe::{DEFAULTS, Origin, parse};
-use ensonify::run::{Project, World};
+use ensonify::run::{Given, Project, World};
 use ensonify::scene::Mesh;
 use ensonify::sonar::{Echoes, Keep, Tracer};
 use support::cli::{Desk, messages};
@@ -33,8 +34,10 @@ frames: 1
 
 fn world(desk: &Desk, sections: &str) -> (Project, World) {
     let path = desk.file("world.yaml", &recipe(sections));
-    let project = Project::load(&path, &[]).unwrap_or_else(|error| panic!("{sections}: {error}"));
-    let world = World::build(&project.plan, 0, &project.assets).unwrap_or_else(|error| panic!("{sections}: {error}"));
+    let project = Project::load(&Given { path: &path, sets: &[], outside: Outside::Refused })
+        .unwrap_or_else(|error| panic!("{sections}: {error}"));
+    let world =
+        World::build(&project.plan.scenes[0], &project.assets).unwrap_or_else(|error| panic!("{sections}: {error}"));
     (project, world)
 }
 
