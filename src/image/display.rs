@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::vectors::{Work, widest};
 use crate::math::Impossible;
 use crate::math::fast::db;
 use crate::math::real::{db_from_power, pow};
+use crate::math::vectors::{Work, widest};
 
 /// The levels that black and white stand for, as backscattering strength: after a 30 log R gain, a flat seabed shows its own.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

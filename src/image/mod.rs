@@ -8,7 +8,6 @@ pub mod holoocean;
 pub mod linear;
 pub mod physical;
 pub mod reach;
-mod vectors;
 
 use serde::{Deserialize, Serialize};
 

@@ -7,6 +7,7 @@ mod impossible;
 pub mod pose;
 pub mod real;
 pub mod rng;
+pub(crate) mod vectors;
 
 pub use impossible::Impossible;
 pub use pose::Pose;

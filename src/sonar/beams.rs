@@ -45,6 +45,9 @@ pub struct Beams {
     pub solid_angle: Vec<f32>,
     /// For each sample: cosine of its elevation.
     pub cosine: Vec<f32>,
+    /// For each sample: secant of its elevation, and how it changes with the tangent. Pieces of a sample reach half a
+    /// sample from it: there the two give √(1 + t²) to 1e-7.
+    pub secant: Vec<[f32; 2]>,
 }
 
 impl Beams {
@@ -91,6 +94,7 @@ impl Beams {
             beam_rad,
             weight: times_cosine(5, 1.0),
             solid_angle: times_cosine(3, f64::from(planes.t_step)),
+            secant: planes.t.iter().zip(&cosine).map(|(&t, c)| [(1.0 / c) as f32, (f64::from(t) * c) as f32]).collect(),
             cosine: cosine.iter().map(|&c| c as f32).collect(),
         }
     }

@@ -109,15 +109,16 @@ impl Plane<'_> {
 
     /// Open water up to what a sample sees.
     fn deposit_water(&self, cells: &mut Cells, sample: usize, seen: Option<&Segment>) {
-        let Ping { planes, beams, .. } = self.ping;
-        let (split, t) = (beams.split(self.number, sample), planes.t[sample]);
-        let range = seen.map(|_| (1.0 + t * t).sqrt() / self.nearest[sample]);
+        let Ping { beams, .. } = self.ping;
+        let split = beams.split(self.number, sample);
+        let range = seen.map(|_| beams.secant[sample][0] / self.nearest[sample]);
         cells.add_water(split, beams.solid_angle[sample], range);
     }
 
     fn deposit_piece(&self, cells: &mut Cells, segment: &Segment, piece: Piece) {
         let middle = 0.5 * (piece.low + piece.high);
-        let range = |t: f32| (1.0 + t * t).sqrt() / segment.inverse_rho(t);
+        let ([secant, slope], t) = (self.ping.beams.secant[piece.sample], self.ping.planes.t[piece.sample]);
+        let range = |at: f32| (secant + slope * (at - t)) / segment.inverse_rho(at);
         let w = segment.inverse_rho(middle);
         let patch = Stretch { w, facing: segment.facing(middle), ranges: [range(piece.low), range(piece.high)] };
         self.deposit_stretch(cells, segment, piece, patch);

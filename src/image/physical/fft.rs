@@ -150,9 +150,9 @@ fn quarters(all: &mut [f32], len: usize) -> [&mut [f32]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::vectors::{Work, widest};
     use crate::math::fast::fill_complex_normals;
     use crate::math::rng::Stream;
+    use crate::math::vectors::{Work, widest};
 
     fn noise(len: usize) -> Rows {
         let mut rows = Rows::zeros(len);

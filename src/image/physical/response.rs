@@ -9,9 +9,9 @@ use super::fft::{Fft, Rows};
 use super::pulse::Sampled;
 use super::receiver::Levels;
 use crate::image::Channel;
-use crate::image::vectors::{Work, widest};
 use crate::math::fast::{fill_complex_normals, sin_cos_turn};
 use crate::math::rng::Stream;
+use crate::math::vectors::{Work, widest};
 use crate::sonar::{Echoes, Grid};
 
 /// Range bins that go through a transform together.

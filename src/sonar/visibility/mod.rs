@@ -12,6 +12,7 @@ pub use planes::Planes;
 pub use scan::{DepthBuffer, Segment};
 
 use crate::math::Pose;
+use crate::math::vectors::{Work, widest};
 use crate::scene::{Cluster, Instance, Scene};
 use scan::{Tag, Vertices};
 
@@ -65,11 +66,9 @@ impl Visibility {
                 if !sonar_from_mesh.may_see(cluster, &self.planes) {
                     continue;
                 }
-                sonar_from_mesh.apply(cluster, &mut self.vertices);
-                self.vertices.classify(&self.planes);
-                let tag =
-                    Tag { first_triangle: cluster.first_triangle, instance: number as u16, material: cluster.material };
-                self.depth.draw(&self.planes, &self.vertices, &cluster.triangles, tag);
+                let (first_triangle, material) = (cluster.first_triangle, cluster.material);
+                let tag = Tag { first_triangle, instance: number as u16, material };
+                widest(Draw { scan: self, cluster, sonar_from_mesh: &sonar_from_mesh, tag });
             }
         }
     }
@@ -85,6 +84,24 @@ impl Visibility {
             let range_m = (1.0 + t * t).sqrt() / w;
             Hit { range_m, instance: segment.instance, triangle: segment.triangle }
         })
+    }
+}
+
+/// One cluster turned into the sonar's frame and drawn.
+struct Draw<'a> {
+    scan: &'a mut Visibility,
+    cluster: &'a Cluster,
+    sonar_from_mesh: &'a Transform,
+    tag: Tag,
+}
+
+impl Work for Draw<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Visibility { planes, depth, vertices } = self.scan;
+        self.sonar_from_mesh.apply(self.cluster, vertices);
+        vertices.classify(planes);
+        depth.draw(planes, vertices, &self.cluster.triangles, self.tag);
     }
 }
 
@@ -127,6 +144,7 @@ impl Transform {
             && planes.t_low * rho - z <= radius * slant
     }
 
+    #[inline(always)]
     fn apply(&self, cluster: &Cluster, out: &mut Vertices) {
         let axis = |row: [f32; 3], offset: f32, out: &mut Vec<f32>| {
             out.clear();
@@ -136,5 +154,44 @@ impl Transform {
         axis(self.rows[0], self.offset[0], &mut out.x);
         axis(self.rows[1], self.offset[1], &mut out.y);
         axis(self.rows[2], self.offset[2], &mut out.z);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::Vec3;
+
+    use super::*;
+    use crate::catalog::Part;
+    use crate::math::rng::Stream;
+    use crate::math::vectors::tests::narrow;
+    use crate::scene::Mesh;
+
+    #[test]
+    fn wide_vectors_change_no_bit() {
+        let mut draw = Stream::at(5, "test", 0, "clutter");
+        let mut point = || Vec3::from_array([0.0; 3].map(|_: f32| draw.uniform(-9.0, 9.0) as f32));
+        let positions: Vec<Vec3> = (0..900).map(|_| point()).collect();
+        let triangles = (0..300).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mesh = Arc::new(Mesh::from_parts(&[Part { positions, triangles, ..Part::default() }]));
+        let instance = Instance { mesh, world_from_mesh: DAffine3::IDENTITY, body: 0, materials: vec![0] };
+        let scene = Scene { instances: vec![instance], ..Scene::default() };
+        let text = "{beams: 200, azimuth_deg: 120, elevation_deg: 60, vertical_beam_deg: 20, elevations: 300,
+            range_m: [0.5, 20], range_bins: 100, bearing: cone, beam_width_deg: 1, frequency_khz: 900,
+            bandwidth_khz: 100, source_level_db: 210, directivity_db: 30, yaw_rate_deg_s: 0,
+            mount: {position_m: [0, 0, 0], yaw_deg: 0, pitch_deg: 0, roll_deg: 0}}";
+        let sonar: crate::sonar::Sonar =
+            crate::recipe::parse("sonar", text, crate::recipe::Origin::Given).unwrap().to("sonar").unwrap();
+        let scan = || {
+            let mut visibility = Visibility::new(Planes::new(&sonar));
+            visibility.scan(&scene, &Pose::IDENTITY);
+            let bits: Vec<u32> = visibility.depth.nearest.iter().map(|w| w.to_bits()).collect();
+            (bits, visibility.depth.segments)
+        };
+        let wide = scan();
+        assert!(wide.1.len() > 1000, "something is seen");
+        assert!(wide == narrow(scan));
     }
 }

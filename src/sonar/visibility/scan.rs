@@ -36,14 +36,14 @@ pub struct Segment {
 
 impl Segment {
     /// 1/ρ of the (extended) line at `t`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn inverse_rho(&self, t: f32) -> f32 {
         self.far_w + self.slope * (t - self.far_t)
     }
 
     /// `|n · (1, t)|` in the plane: the cosine of incidence times the secant of elevation.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn facing(&self, t: f32) -> f32 {
         (self.normal_rho + self.normal_z * t).abs()
@@ -105,6 +105,7 @@ impl DepthBuffer {
     }
 
     /// Draws the triangles of one cluster.
+    #[inline(always)]
     pub fn draw(&mut self, planes: &Planes, vertices: &Vertices, triangles: &[[u16; 3]], tag: Tag) {
         for (number, triangle) in triangles.iter().enumerate() {
             let [a, b, c] = triangle.map(usize::from);
@@ -134,7 +135,7 @@ impl DepthBuffer {
     }
 
     /// Cuts one triangle by the planes in `range` and keeps what is nearest.
-    #[inline]
+    #[inline(always)]
     fn draw_triangle(
         &mut self,
         planes: &Planes,
@@ -197,6 +198,7 @@ impl DepthBuffer {
 
 impl Vertices {
     /// Fills in azimuths and outcodes for the positions in `x`, `y`, `z`.
+    #[inline(always)]
     pub fn classify(&mut self, planes: &Planes) {
         let count = self.x.len();
         self.plane.clear();
@@ -232,7 +234,7 @@ struct Cut {
 
 /// Where the edge between two vertices on either side of a plane meets it. Always computed from the vertex on the
 /// starboard side to that on the port side, whichever triangle asks.
-#[inline]
+#[inline(always)]
 fn cut(one: ([f32; 3], f32), two: ([f32; 3], f32), cos: f32, sin: f32) -> Cut {
     let ((starboard, s0), (port, s1)) = if one.1 < two.1 { (one, two) } else { (two, one) };
     let share = s0 / (s0 - s1);
@@ -243,7 +245,7 @@ fn cut(one: ([f32; 3], f32), two: ([f32; 3], f32), cos: f32, sin: f32) -> Cut {
 }
 
 /// Planes that may lie between two azimuths counted in planes; generous by a hundredth, since the sign test decides.
-#[inline]
+#[inline(always)]
 fn planes_between(low: f32, high: f32, count: usize) -> Option<std::ops::Range<usize>> {
     let from = (low - 0.01).ceil().max(0.0);
     let to = (high + 0.01).floor().min(count as f32 - 1.0);
@@ -251,7 +253,7 @@ fn planes_between(low: f32, high: f32, count: usize) -> Option<std::ops::Range<u
 }
 
 /// Samples with `low <= t < high`, as a half-open range.
-#[inline]
+#[inline(always)]
 fn samples_between(planes: &Planes, low: f32, high: f32) -> Option<(usize, usize)> {
     let count = planes.samples();
     let per_t = 1.0 / planes.t_step;
@@ -272,6 +274,7 @@ fn samples_between(planes: &Planes, low: f32, high: f32) -> Option<(usize, usize
 }
 
 /// Azimuth of (x, y) counted in planes.
+#[inline(always)]
 fn plane_coordinate(planes: &Planes, x: f32, y: f32) -> f32 {
     (arctangent(y, x) - planes.first_rad as f32) * (1.0 / planes.step_rad as f32)
 }
@@ -279,7 +282,7 @@ fn plane_coordinate(planes: &Planes, x: f32, y: f32) -> f32 {
 /// atan2(y, x) for x > 0, within 2e-6 rad: enough to choose planes, whose exact test follows.
 ///
 /// Source: minimax polynomial of atan on [0, 1] in odd powers, Abramowitz & Stegun (1964), 4.4.49.
-#[inline]
+#[inline(always)]
 fn arctangent(y: f32, x: f32) -> f32 {
     let size = y.abs();
     let (small, large) = (size.min(x), size.max(x));
@@ -300,6 +303,7 @@ fn arctangent(y: f32, x: f32) -> f32 {
 }
 
 /// Unit normal of a triangle (zero for a degenerate one).
+#[inline(always)]
 fn unit_normal(p: [f32; 3], q: [f32; 3], r: [f32; 3]) -> [f32; 3] {
     let u = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
     let v = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];

@@ -3,7 +3,7 @@
 use sha2::{Digest as _, Sha256};
 
 use super::*;
-use crate::image::vectors::tests::narrow;
+use crate::math::vectors::tests::narrow;
 use crate::physics::response::PulseWindow;
 use crate::physics::shading::Shading;
 

@@ -3,13 +3,13 @@
 //! Never FMA: fused sums round once where `·` and `+` round twice. Without it, the width of vectors changes no bit.
 
 /// Work over long rows of numbers. `run` and all that it calls must be `#[inline(always)]`, or vectors stay narrow.
-pub(super) trait Work {
+pub(crate) trait Work {
     /// Does it.
     fn run(self);
 }
 
 /// Does `work` with the widest vectors that this CPU has.
-pub(super) fn widest(work: impl Work) {
+pub(crate) fn widest(work: impl Work) {
     #[cfg(test)]
     if tests::are_vectors_narrow() {
         return work.run();
@@ -29,14 +29,14 @@ fn with_avx2(work: impl Work) {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use std::cell::Cell;
 
     thread_local! {
         static NARROW: Cell<bool> = const { Cell::new(false) };
     }
 
-    pub(super) fn are_vectors_narrow() -> bool {
+    pub(crate) fn are_vectors_narrow() -> bool {
         NARROW.get()
     }
 
