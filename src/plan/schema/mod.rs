@@ -12,7 +12,7 @@ use super::header::{Output, Splits};
 use super::sections::ObjectEntry;
 use crate::image::ImageModel;
 use crate::label::LabelSettings;
-use crate::physics::Water;
+use crate::physics::TurbidWater;
 use crate::recipe::{DEFAULTS, Node, Origin, parse};
 use crate::scene::{EnvironmentSpec, Multipath, SeabedSpec};
 use crate::sonar::Sonar;
@@ -21,12 +21,15 @@ use crate::vehicle::Trajectory;
 const TITLES: &str = include_str!("titles.yaml");
 
 /// Units by the end of a key; the longest first.
-const UNITS: [(&str, &str); 10] = [
+const UNITS: [(&str, &str); 13] = [
     ("_db_per_decade", "dB per decade of range"),
+    ("_db_per_m", "dB per metre of slant range"),
+    ("_kg_m3", "kilograms a cubic metre"),
     ("_deg_s", "degrees a second"),
     ("_khz", "kHz"),
     ("_ppt", "parts per thousand"),
     ("_deg", "degrees"),
+    ("_ms", "milliseconds"),
     ("_db", "dB"),
     ("_px", "pixels"),
     ("_pixels", "pixels"),
@@ -73,7 +76,7 @@ impl Writer {
         keys.insert("sweep".to_owned(), self.sweep());
         for (key, shape, drawn) in [
             ("sonar", shape_of::<Sonar>(), Drawn::Yes),
-            ("water", shape_of::<Water>(), Drawn::Yes),
+            ("water", shape_of::<TurbidWater>(), Drawn::Yes),
             ("seabed", shape_of::<SeabedSpec>(), Drawn::Yes),
             ("environment", shape_of::<EnvironmentSpec>(), Drawn::Yes),
             ("multipath", shape_of::<Multipath>(), Drawn::Yes),
@@ -137,7 +140,7 @@ impl Writer {
 
     /// A value of a shape.
     fn bare(&self, path: &str, shape: &Shape, drawn: Drawn) -> Value {
-        let item = |item: &Shape| {
+        let item = |path: &str, item: &Shape| {
             let mut forms = vec![self.bare(path, item, drawn)];
             if drawn == Drawn::Yes {
                 forms.push(json!({"$ref": format!("#/definitions/{}", distribution(item))}));
@@ -153,9 +156,9 @@ impl Writer {
             Shape::Unseen | Shape::Nothing => json!({"type": ["object", "null"], "maxProperties": 0}),
             Shape::Any => form_of(path),
             Shape::Optional(inner) => either(vec![self.bare(path, inner, drawn), json!({"type": "null"})]),
-            Shape::List(inner) => json!({"type": "array", "items": item(inner)}),
+            Shape::List(inner) => json!({"type": "array", "items": item(&format!("{path}[]"), inner)}),
             Shape::Tuple(count, inner) => {
-                json!({"type": "array", "items": item(inner), "minItems": count, "maxItems": count})
+                json!({"type": "array", "items": item(path, inner), "minItems": count, "maxItems": count})
             }
             Shape::Map(entries) => {
                 let keys: Map<String, Value> = entries

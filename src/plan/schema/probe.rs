@@ -1,6 +1,6 @@
 //! The shape of a type, asked of the type itself: its `Deserialize` tells what it wants to read.
 //!
-//! Each pass answers with the first kind of an enum that was not seen yet, until all were.
+//! Each pass answers with the first kind of an enum that was not seen yet, or not wholly, until all were.
 
 use std::cell::Cell;
 
@@ -39,7 +39,19 @@ pub(super) enum Shape {
     Kinds(Vec<(&'static str, Self)>),
 }
 
-/// More kinds than any enum of a recipe has.
+impl Shape {
+    /// Whether nothing of it is left to ask for.
+    pub(super) fn is_seen(&self) -> bool {
+        match self {
+            Self::Unseen => false,
+            Self::Optional(inner) | Self::List(inner) | Self::Tuple(_, inner) => inner.is_seen(),
+            Self::Map(entries) | Self::Kinds(entries) => entries.iter().all(|(_, shape)| shape.is_seen()),
+            Self::Nothing | Self::Bool | Self::Whole | Self::Number | Self::Text | Self::Any => true,
+        }
+    }
+}
+
+/// More kinds than any section of a recipe has.
 const MOST_PASSES: usize = 256;
 
 /// The shape of a type.
@@ -175,11 +187,12 @@ impl<'de> Deserializer<'de> for Probe<'_> {
     ) -> Result<V::Value, Error> {
         self.is(Shape::Kinds(kinds.iter().map(|kind| (*kind, Shape::Unseen)).collect()));
         let Shape::Kinds(kinds) = self.slot else { return visitor.visit_unit() };
-        let unseen = kinds.iter().filter(|(_, shape)| *shape == Shape::Unseen).count();
-        if unseen > 1 {
+        // A kind with kinds within takes several passes; those within ask for theirs.
+        let unseen: Vec<usize> = (0..kinds.len()).filter(|&index| !kinds[index].1.is_seen()).collect();
+        if unseen.len() > 1 {
             self.more.set(true);
         }
-        let index = kinds.iter().position(|(_, shape)| *shape == Shape::Unseen).unwrap_or(0);
+        let index = unseen.first().copied().unwrap_or(0);
         let (kind, slot) = &mut kinds[index];
         visitor.visit_enum(Kind { kind, probe: Probe { slot, more: self.more } })
     }
