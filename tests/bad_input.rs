@@ -80,6 +80,15 @@ fn looks_that_cannot_be() {
 }
 
 #[test]
+fn sweeps_and_splits_that_cannot_be() {
+    refused(("seed: 5", "seed: 5\nsweep: {grid: {watr.ph: [7]}}"), "4:16", &["watr", "did you mean `water`"]);
+    refused(("seed: 5", "seed: 5\nsweep: {grid: {water.ph: [7, 20]}}"), "4:30", &["20 is outside"]);
+    refused(("seed: 5", "seed: 5\nsweep: {grid: {water.hp: [7]}}"), "4:16", &["unknown key `hp`"]);
+    refused(("seed: 5", "seed: 5\nsweep: {grid: {scenes: [7]}}"), "4:16", &["`scenes` cannot be swept"]);
+    refused(("seed: 5", "seed: 5\nsplits: {by: variant}"), "4:", &["no variants", "sweep"]);
+}
+
+#[test]
 fn yaml_that_is_none() {
     refused(("seed: 5", "seed: 5\nseed: 6"), "4:1", &["seed"]);
     refused(("scenes: 1", "scenes: [1"), "", &[]);

@@ -16,6 +16,7 @@ mod preview;
 mod progress;
 mod realism;
 mod run;
+mod schema;
 mod status;
 mod water;
 
@@ -67,6 +68,7 @@ enum Verb {
     Status(status::StatusVerb),
     Water(water::WaterVerb),
     Realism(realism::Realism),
+    Schema(schema::Schema),
 }
 
 /// A recipe on the command line.
@@ -100,6 +102,7 @@ pub fn main() -> ExitCode {
         Verb::Status(verb) => verb.run(),
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
+        Verb::Schema(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

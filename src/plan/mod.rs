@@ -6,6 +6,7 @@ mod compile;
 mod error;
 mod header;
 mod looks;
+mod schema;
 mod sections;
 
 use std::collections::BTreeMap;
@@ -16,6 +17,7 @@ use sha2::{Digest as _, Sha256};
 pub use compile::{compile, notes};
 pub use error::PlanError;
 pub use header::{Header, Output, Raw, Split, SplitBy, Splits};
+pub use schema::schema;
 
 use crate::image::ImageModel;
 use crate::physics::TurbidWater;

@@ -8,11 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::distribution;
 use super::draw::{Address, Draws, Level};
 use super::error::{Error, quoted};
-use super::nearest::did_you_mean;
 use super::node::{Key, Kind, Node};
 use super::parse::{MAX_DEPTH, MAX_NODES};
 use super::path;
 use super::{Recipe, Tree, defaults};
+
+mod names;
+
+use names::{check_names, has_dollar, is_name, order, reference, references, unescaped};
 
 /// The section's key.
 const LET: &str = "let";
@@ -73,13 +76,17 @@ impl Recipe {
         let mut constants = Shared::default();
         let mut lets = Lets::default();
         let mut left = MAX_NODES;
+        let mut of_frames = BTreeSet::new();
         for index in order(named)? {
             let (key, node) = &named[index];
             let node = constants.written(node, &path::under(LET, &key.text), Missing::Stays, &mut left)?;
             if is_constant(&node) {
                 constants.values.insert(key.text.clone(), Value::of(node));
             } else {
-                let rhythm = lets.rhythm(&node);
+                let rhythm = rhythm(&node, &of_frames);
+                if rhythm == Rhythm::Frame {
+                    of_frames.insert(&key.text);
+                }
                 lets.draws.push(Named { name: key.text.clone(), node, rhythm });
             }
         }
@@ -155,17 +162,13 @@ impl Lets {
         }
         Ok(shared)
     }
+}
 
-    /// How often a value changes that may refer to the names so far.
-    fn rhythm(&self, node: &Node) -> Rhythm {
-        let mut rhythm = if is_of_frames(node) { Rhythm::Frame } else { Rhythm::Scene };
-        references(node, &mut |name, _| {
-            if self.draws.iter().any(|draw| draw.name == name && draw.rhythm == Rhythm::Frame) {
-                rhythm = Rhythm::Frame;
-            }
-        });
-        rhythm
-    }
+/// How often a value changes that may refer to names that change with the frame.
+fn rhythm(node: &Node, of_frames: &BTreeSet<&str>) -> Rhythm {
+    let mut found = is_of_frames(node);
+    references(node, &mut |name, _| found |= of_frames.contains(name));
+    if found { Rhythm::Frame } else { Rhythm::Scene }
 }
 
 /// What becomes of a `$name` that has no value.
@@ -269,129 +272,6 @@ impl Tree {
     }
 }
 
-/// The name that a text refers to.
-fn reference(text: &str) -> Option<&str> {
-    text.strip_prefix('$').filter(|name| is_name(name))
-}
-
-fn is_name(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_ascii_alphabetic())
-        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-')
-        && text.len() <= 64
-}
-
-/// `$$name` is the text `$name`.
-fn is_escape(text: &str) -> bool {
-    text.strip_prefix('$').is_some_and(|rest| reference(rest).is_some())
-}
-
-/// Whether a name or an escape stands anywhere in a tree.
-fn has_dollar(node: &Node) -> bool {
-    let in_children =
-        || node.entries().iter().any(|(_, value)| has_dollar(value)) || node.items().iter().any(has_dollar);
-    node.text().is_some_and(|text| text.starts_with('$')) || in_children()
-}
-
-fn unescaped(node: Node) -> Node {
-    let kind = match node.kind {
-        Kind::Text(text) if is_escape(&text) => Kind::Text(text[1..].to_owned()),
-        Kind::Map(entries) => Kind::Map(entries.into_iter().map(|(key, value)| (key, unescaped(value))).collect()),
-        Kind::Seq(items) => Kind::Seq(items.into_iter().map(unescaped).collect()),
-        other => other,
-    };
-    Node { kind, span: node.span }
-}
-
-/// Calls `found` with every name that a tree refers to, in order.
-fn references<'a>(node: &'a Node, found: &mut dyn FnMut(&'a str, &'a Node)) {
-    if let Some(name) = node.text().and_then(reference) {
-        found(name, node);
-    }
-    node.entries().iter().for_each(|(_, value)| references(value, found));
-    node.items().iter().for_each(|item| references(item, found));
-}
-
-/// Refuses names that `let` does not have.
-fn check_names(node: &Node, at: &str, names: &[&str]) -> Result<(), Error> {
-    if let Some(name) = node.text().and_then(reference).filter(|name| names.binary_search(name).is_err()) {
-        let message = format!("`let` has no name {}", quoted(name));
-        let help = match names {
-            [] => format!("write `let: {{{name}: …}}`; `$${name}` is the text itself"),
-            names => did_you_mean(name, names),
-        };
-        return Err(Error::new(&node.span, at, message, help));
-    }
-    let mut entries = node.entries().iter();
-    entries.try_for_each(|(key, value)| check_names(value, &path::under(at, &key.text), names))?;
-    node.items().iter().enumerate().try_for_each(|(i, item)| check_names(item, &path::item(at, i), names))
-}
-
-/// Indices of the names, each after those that it refers to.
-fn order(named: &[(Key, Node)]) -> Result<Vec<usize>, Error> {
-    let places: BTreeMap<&str, usize> = named.iter().enumerate().map(|(i, (key, _))| (key.text.as_str(), i)).collect();
-    let mut names: Vec<&str> = places.keys().copied().collect();
-    names.sort_unstable();
-    // Kahn's algorithm, in the order of the file among those that are ready.
-    let mut refers: Vec<BTreeSet<usize>> = Vec::new();
-    for (key, node) in named {
-        check_names(node, &path::under(LET, &key.text), &names)?;
-        let mut to = BTreeSet::new();
-        references(node, &mut |name, _| {
-            to.extend(places.get(name));
-        });
-        refers.push(to);
-    }
-    let mut referred: Vec<Vec<usize>> = vec![Vec::new(); named.len()];
-    refers.iter().enumerate().for_each(|(from, to)| to.iter().for_each(|&to| referred[to].push(from)));
-    let mut ready: BTreeSet<usize> = (0..named.len()).filter(|&i| refers[i].is_empty()).collect();
-    let mut order = Vec::new();
-    while let Some(next) = ready.pop_first() {
-        order.push(next);
-        for &from in &referred[next] {
-            refers[from].remove(&next);
-            if refers[from].is_empty() {
-                ready.insert(from);
-            }
-        }
-    }
-    match (0..named.len()).find(|&i| !refers[i].is_empty() && reaches(i, i, &refers)) {
-        Some(first) => Err(circle(first, named, &refers)),
-        None => Ok(order),
-    }
-}
-
-/// Whether following references leads from one name to another.
-fn reaches(from: usize, to: usize, refers: &[BTreeSet<usize>]) -> bool {
-    let (mut seen, mut open) = (BTreeSet::new(), vec![from]);
-    while let Some(next) = open.pop() {
-        for &other in &refers[next] {
-            if other == to {
-                return true;
-            }
-            if seen.insert(other) {
-                open.push(other);
-            }
-        }
-    }
-    false
-}
-
-/// The fault of names that refer to each other in a circle, told from the one that stands first.
-fn circle(first: usize, named: &[(Key, Node)], refers: &[BTreeSet<usize>]) -> Error {
-    let mut words = vec![named[first].0.text.as_str()];
-    let mut at = first;
-    while words.len() < 8 {
-        let Some(&next) = refers[at].iter().find(|&&next| next == first || reaches(next, first, refers)) else { break };
-        words.push(&named[next].0.text);
-        if next == first {
-            break;
-        }
-        at = next;
-    }
-    let message = format!("{} refers to itself: {}", quoted(words[0]), words.join(" → "));
-    Error::new(&named[first].0.span, LET, message, "give one of them a value of its own")
-}
-
 fn is_constant(node: &Node) -> bool {
     let here = node.is_distribution() || node.text().and_then(reference).is_some();
     !here && node.entries().iter().all(|(_, value)| is_constant(value)) && node.items().iter().all(is_constant)
@@ -402,7 +282,7 @@ fn is_of_frames(node: &Node) -> bool {
     here || node.entries().iter().any(|(_, value)| is_of_frames(value)) || node.items().iter().any(is_of_frames)
 }
 
-fn size(node: &Node) -> usize {
+pub(super) fn size(node: &Node) -> usize {
     let children = node.entries().iter().map(|(_, value)| value).chain(node.items());
     1 + children.map(size).sum::<usize>()
 }

@@ -6,14 +6,16 @@
 
 use std::collections::BTreeMap;
 
-use super::Recipe;
 use super::error::{Error, quoted};
 use super::nearest::did_you_mean;
 use super::node::{Key, Kind, Node};
 use super::path::{Step, steps};
+use super::{Recipe, lets};
 
 /// Most variants of one recipe.
-pub const MAX_VARIANTS: usize = 10_000;
+pub const MAX_VARIANTS: usize = 1000;
+/// Most values in all variants of one recipe together.
+const MAX_VALUES: usize = 4_000_000;
 /// The key of a sweep.
 const SWEEP: &str = "sweep";
 /// What a sweep has.
@@ -61,6 +63,10 @@ impl Recipe {
             return Err(Error::new(&sweep.span, SWEEP, message, "sweep fewer values, or make several datasets"));
         }
         let plain = self.without(SWEEP);
+        if size.is_some_and(|size| size * lets::size(plain.node()) > MAX_VALUES) {
+            let message = "the variants of this recipe are too large together";
+            return Err(Error::new(&sweep.span, SWEEP, message, "sweep fewer values, or make several datasets"));
+        }
         let mut variants = Vec::new();
         for settings in product(&axes) {
             let mut recipe = plain.clone();
@@ -243,7 +249,7 @@ mod tests {
             ("{grid: {\"objects[3].count\": [1]}}", "there is no item [3]", 16),
             ("{grid: {water: [{}], water.ph: [7]}}", "`water` and `water.ph` set the same value", 29),
             ("{grid: {water.ph: [7]}, zip: {water.ph: [7]}}", "`water.ph` and `water.ph` set the same value", 38),
-            ("{grid: {water.ph: [7, 8]}, count: 6000}", "the sweep has more than 10000 variants", 8),
+            ("{grid: {water.ph: [7, 8]}, count: 600}", "the sweep has more than 1000 variants", 8),
         ] {
             let error = variants(sweep).unwrap_err();
             assert_eq!(

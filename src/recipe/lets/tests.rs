@@ -122,3 +122,12 @@ fn names_do_not_multiply_or_nest_without_end() {
     let error = Recipe::parse("a", &format!("let:\n  a0: 1\n{nested}")).unwrap().with_constants().unwrap_err();
     assert!(error.message.contains("deeper than 64"), "{error}");
 }
+
+#[test]
+fn a_long_way_into_a_circle_is_soon_told() {
+    let chain: String = (0..30_000).map(|i| format!("  a{i}: $a{}\n", i + 1)).collect();
+    let begun = std::time::Instant::now();
+    let error = Recipe::parse("a", &format!("let:\n{chain}  a30000: $a30000\n")).unwrap().with_constants().unwrap_err();
+    assert_eq!(error.message, "`a30000` refers to itself: a30000 → a30000");
+    assert!(begun.elapsed().as_secs() < 2);
+}
