@@ -1,4 +1,4 @@
-//! How far a sonar sees: where the seabed's echo drowns in the receiver's noise.
+//! How far a sonar sees at best: where the seabed's echo drowns in thermal noise, that of the electronics left out.
 
 use super::Channel;
 use crate::math::real::{power_from_db, radians};
@@ -9,7 +9,7 @@ pub const REACH_SEABED_DB: f64 = -30.0;
 
 impl Channel {
     /// Slant range at which the echo of a beam's and a pulse's footprint on a seabed of [`REACH_SEABED_DB`] is as loud as
-    /// the noise, metres.
+    /// the thermal noise, metres.
     ///
     /// `S_b·φ·(c/2B)·10^(−2αR/10) / R³ = N`, powers relative to the source's at 1 m. Source: the sonar equation, Urick (1983), ch. 2.
     #[must_use]

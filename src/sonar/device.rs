@@ -115,12 +115,6 @@ impl Sonar {
         Impossible::unless(possible, "range_m", problem, "write [near, far] in metres")
     }
 
-    /// Length of the pulse after the receiver, metres of slant range: `c / 2B` at c = 1500 m/s.
-    #[must_use]
-    pub fn pulse_m(&self) -> f64 {
-        1500.0 / (2.0 * 1000.0 * self.bandwidth_khz)
-    }
-
     /// Beams that the array turns by while sound travels to a range of 1 m and back, at c = 1500 m/s; to port positive.
     #[must_use]
     pub fn turn_beams_per_m(&self) -> f64 {

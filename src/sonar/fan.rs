@@ -54,12 +54,6 @@ impl FanMap {
         Self { width, height, pixel_m, cell, around, bins: grid.bins as usize }
     }
 
-    /// Looks every pixel up in `cells`, nearest cell; pixels outside the fan get `outside`.
-    #[must_use]
-    pub fn view<T: Copy>(&self, cells: &[T], outside: T) -> Vec<T> {
-        self.cell.iter().map(|&c| cells.get(c as usize).copied().unwrap_or(outside)).collect()
-    }
-
     /// A picture of grey cells, interpolated between the four cells around each pixel, as displays do; black outside.
     #[must_use]
     pub fn picture(&self, grey: &[u8]) -> Vec<u8> {
