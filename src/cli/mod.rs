@@ -11,13 +11,18 @@ macro_rules! say {
 }
 
 mod check;
+mod diff;
+mod finish;
 mod plan;
 mod preview;
 mod progress;
 mod realism;
 mod run;
 mod schema;
+mod shards;
+mod signals;
 mod status;
+mod verify;
 mod water;
 
 use std::path::PathBuf;
@@ -38,6 +43,8 @@ pub(crate) enum Code {
     Invalid = 2,
     /// Some frames failed for good; the rest is there.
     FramesFailed = 3,
+    /// A verification or comparison found a difference.
+    Different = 4,
     /// Stopped before the end; the same command goes on.
     Interrupted = 75,
 }
@@ -52,7 +59,7 @@ pub(crate) enum Code {
                   annotations, byte for byte the same on every machine.",
     after_help = "Begin with:\n  ensonify preview recipes/quickstart.yaml   a picture of what a recipe makes\n  \
                   ensonify run recipes/quickstart.yaml       the dataset, in out/quickstart\n\n\
-                  Exit codes: 0 done, 2 invalid recipe, catalog or arguments, 3 some frames failed, 75 interrupted (run again to go on)."
+                  Exit codes: 0 done, 2 invalid recipe, catalog or arguments, 3 some frames failed, 4 a difference was found, 75 interrupted (run again to go on)."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -66,6 +73,9 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Status(status::StatusVerb),
+    Finish(finish::Finish),
+    Verify(verify::Verify),
+    Diff(diff::Diff),
     Water(water::WaterVerb),
     Realism(realism::Realism),
     Schema(schema::Schema),
@@ -100,6 +110,9 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
+        Verb::Finish(verb) => verb.run(),
+        Verb::Verify(verb) => verb.run(),
+        Verb::Diff(verb) => verb.run(),
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
         Verb::Schema(verb) => verb.run(),

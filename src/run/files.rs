@@ -45,6 +45,17 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
     (record, files)
 }
 
+/// What finishing needs beside the frames' records, as the store keeps it.
+///
+/// # Panics
+/// Never: it is plain data.
+#[must_use]
+pub fn finish_facts(project: &Project) -> Vec<u8> {
+    let mut text = serde_json::to_vec_pretty(&finish_input(project)).expect("plain data");
+    text.push(b'\n');
+    text
+}
+
 /// What annotations, card and attributions say beside the frames.
 pub(super) fn finish_input(project: &Project) -> FinishInput {
     let plan = &project.plan;

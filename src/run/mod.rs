@@ -7,15 +7,17 @@ mod project;
 pub mod render;
 mod world;
 
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+pub use files::finish_facts;
 pub use project::{Given, Project};
 pub use world::{World, Worlds};
 
-use crate::export::{FinishError, finish};
-use crate::store::{Store, StoreError, Summary};
+use crate::export::{Extent, FinishError, finish};
+use crate::store::{Shard, Store, StoreError, Summary};
 use render::Renderer;
 
 /// How a run goes about its jobs.
@@ -25,6 +27,8 @@ pub struct Options {
     pub threads: usize,
     /// Render at most so many frames now.
     pub limit: Option<u64>,
+    /// Stop when so many frames could not be rendered; none: never.
+    pub most_failures: Option<u64>,
 }
 
 /// What a run tells while it goes.
@@ -33,6 +37,8 @@ pub trait Watch: Sync {
     fn begin(&self, total: u64, there: u64, now: u64);
     /// One more frame is written.
     fn frame_done(&self);
+    /// A frame cannot be rendered.
+    fn frame_failed(&self, id: u64, reason: &str);
     /// Something that a person should know.
     fn note(&self, message: &str);
 }
@@ -42,11 +48,13 @@ pub trait Watch: Sync {
 pub enum Ended {
     /// Every frame is there and the dataset is finished.
     Complete(Summary),
+    /// Every frame of the shard is there; so many of other shards are not, and finishing is left to who comes last.
+    Shard(u64),
     /// It stopped at its limit; so many frames are still missing.
     Limited(u64),
     /// It was asked to stop; so many frames are still missing.
     Interrupted(u64),
-    /// Some frames cannot be rendered, each with the reason. The rest is there.
+    /// Some frames cannot be rendered, each with the reason. The rest is there, unless it was stopped by them.
     Failed(Vec<(u64, String)>),
 }
 
@@ -82,7 +90,8 @@ pub fn run(
 ) -> Result<Ended, RunError> {
     let plan = &project.plan;
     let missing = store.missing();
-    let total = plan.jobs.len() as u64;
+    let Range { start, end } = store.jobs();
+    let total = end - start;
     let now = options.limit.map_or(missing.len(), |limit| missing.len().min(limit as usize));
     watch.begin(total, total - missing.len() as u64, now as u64);
 
@@ -94,6 +103,7 @@ pub fn run(
         jobs: &missing[..now],
         worlds: Worlds::new(plan, &project.assets, &missing[..now]),
         next: AtomicUsize::new(0),
+        most_failures: options.most_failures.unwrap_or(u64::MAX),
         failed: Mutex::default(),
         broken: Mutex::default(),
     };
@@ -112,10 +122,14 @@ pub fn run(
         failed.sort();
         return Ok(Ended::Failed(failed));
     }
-    match store.missing().len() as u64 {
-        0 => Ok(Ended::Complete(finish(store, &files::finish_input(project))?)),
-        left if stop.load(Ordering::Relaxed) => Ok(Ended::Interrupted(left)),
-        left => Ok(Ended::Limited(left)),
+    let dataset = store.dataset();
+    match (store.missing().len() as u64, dataset.planned() - dataset.done()) {
+        (0, 0) if store.shard() == Shard::WHOLE => {
+            Ok(Ended::Complete(finish(&dataset, &files::finish_input(project), Extent::Whole)?))
+        }
+        (0, elsewhere) => Ok(Ended::Shard(elsewhere)),
+        (left, _) if stop.load(Ordering::Relaxed) => Ok(Ended::Interrupted(left)),
+        (left, _) => Ok(Ended::Limited(left)),
     }
 }
 
@@ -129,6 +143,7 @@ struct Shift<'a> {
     jobs: &'a [u64],
     worlds: Worlds<'a>,
     next: AtomicUsize,
+    most_failures: u64,
     failed: Mutex<Vec<(u64, String)>>,
     broken: Mutex<Option<StoreError>>,
 }
@@ -136,16 +151,14 @@ struct Shift<'a> {
 impl Shift<'_> {
     fn work(&self) {
         let mut renderer = Renderer::default();
-        while !self.stop.load(Ordering::Relaxed) && !self.is_broken() {
+        while !self.is_over() {
             let Some(&id) = self.jobs.get(self.next.fetch_add(1, Ordering::Relaxed)) else { return };
             // A panic is a bug, but of one frame: the others must not be lost with it.
             let outcome = catch_unwind(AssertUnwindSafe(|| self.frame(&mut renderer, id)));
             match outcome {
                 Ok(Ok(())) => self.watch.frame_done(),
                 Ok(Err(FrameFault::Frame(reason))) => self.fail(id, reason),
-                Ok(Err(FrameFault::Store(error))) => {
-                    self.broken.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                }
+                Ok(Err(FrameFault::Store(error))) => self.breaks(error),
                 Err(_) => {
                     renderer = Renderer::default();
                     self.fail(id, "it made the program panic, which is a bug: please report it".into());
@@ -172,12 +185,22 @@ impl Shift<'_> {
     }
 
     fn fail(&self, id: u64, reason: String) {
-        self.watch.note(&format!("frame {id} failed: {reason}"));
+        self.watch.frame_failed(id, &reason);
+        if let Err(error) = self.store.fail(id, &reason) {
+            self.breaks(error);
+        }
         self.failed.lock().unwrap_or_else(PoisonError::into_inner).push((id, reason));
     }
 
-    fn is_broken(&self) -> bool {
-        self.broken.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+    fn breaks(&self, error: StoreError) {
+        self.broken.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+
+    /// Whether to take no more frames.
+    fn is_over(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+            || self.broken.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+            || self.failed.lock().unwrap_or_else(PoisonError::into_inner).len() as u64 >= self.most_failures
     }
 }
 

@@ -16,10 +16,12 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     name: "sample",
     plan_hash: "0123abcd",
     frames: FRAMES,
+    frames_a_scene: 2,
     recipe_text: "name: sample\n",
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
+    facts: b"{}",
 };
 
 /// A frame of 8×6 pixels in two views; every third has a tire and an anchor that overlap, others a tire or nothing.
