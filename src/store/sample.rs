@@ -73,3 +73,40 @@ fn labels(id: u64) -> ViewLabels {
     let annotations = annotations.collect();
     ViewLabels { width: 8, height: 6, mask, annotations }
 }
+
+/// Writes many frames at once, journalled but not synced: records as long as those of real frames, files of a few bytes.
+pub(crate) fn write_many(root: &std::path::Path, frames: u64) {
+    use std::fs::{self, File, create_dir_all, hard_link};
+    use std::io::{BufWriter, Write as _};
+
+    let mut journal = BufWriter::new(File::create(root.join(layout::journal(super::Shard::WHOLE))).unwrap());
+    let rle = "01O1N2O0".repeat(130);
+    for id in 0..frames {
+        let (mut record, files) = frame(id);
+        for view in record.views.values_mut() {
+            let seen = view.annotations.first().cloned().unwrap_or(super::AnnotationRecord {
+                body: 1,
+                label: "tire".to_owned(),
+                asset: "starter/tire".to_owned(),
+                bbox: [2, 1, 2, 4],
+                area: 8,
+                rle: String::new(),
+            });
+            view.annotations = vec![super::AnnotationRecord { rle: rle.clone(), ..seen }; 2];
+        }
+        // File systems limit the links of a file.
+        let source = |number: usize| root.join(format!("shards/source-{number}-{}", id / 10_000));
+        for (number, file) in files.iter().enumerate() {
+            if id % 10_000 == 0 {
+                fs::write(source(number), &file.bytes).unwrap();
+                create_dir_all(root.join(&file.path).parent().unwrap()).unwrap();
+            }
+            hard_link(source(number), root.join(&file.path)).unwrap();
+            let bytes = fs::metadata(source(number)).unwrap().len();
+            let (path, sha256) = (file.path.clone(), super::atomic::sha256(&file.bytes));
+            record.files.push(super::FileRecord { path, bytes, sha256 });
+        }
+        journal.write_all(super::line::done(&record).unwrap().0.as_bytes()).unwrap();
+    }
+    journal.flush().unwrap();
+}

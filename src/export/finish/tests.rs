@@ -195,3 +195,27 @@ fn the_card_tells_counts_and_licences() {
     }
     assert!(card.contains("CC0-1.0"));
 }
+
+/// Prints what it took: `cargo test --release --lib -- --ignored --nocapture a_hundred_thousand`.
+#[test]
+#[ignore = "writes 400,000 files and a journal of 700 MB"]
+fn a_hundred_thousand_frames_finish_in_a_minute() {
+    const MANY: u64 = 100_000;
+    let folder = tempfile::tempdir().unwrap();
+    let identity = crate::store::Identity { frames: MANY, frames_a_scene: 100, ..IDENTITY };
+    let _store = Store::open(folder.path(), &identity, Shard::WHOLE).unwrap();
+    crate::store::sample::write_many(folder.path(), MANY);
+    let input = FinishInput { categories: ["tire", "anchor"].map(str::to_owned).to_vec(), ..input() };
+    let began = std::time::Instant::now();
+    let status = Status::read(folder.path()).unwrap();
+    println!("status {:.2} s", began.elapsed().as_secs_f64());
+    assert_eq!(status.frames_done, MANY);
+    let began = std::time::Instant::now();
+    let dataset = crate::store::Dataset::open(folder.path()).unwrap();
+    println!("open {:.2} s", began.elapsed().as_secs_f64());
+    let summary = super::finish(&dataset, &input, Extent::Whole).unwrap();
+    println!("finish, with opening {:.2} s", began.elapsed().as_secs_f64());
+    let memory = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    println!("{}", memory.lines().find(|line| line.starts_with("VmHWM")).unwrap_or_default());
+    assert_eq!(summary.frames, MANY);
+}
