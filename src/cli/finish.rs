@@ -1,13 +1,14 @@
 //! `ensonify finish`: the parts of a dataset put together.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use anyhow::Context as _;
 use clap::Args;
 
 use super::{Code, run};
 use crate::export::{Extent, FinishInput, finish};
-use crate::store::{Dataset, layout};
+use crate::store::{Dataset, Status, layout};
 
 /// Puts the shards of a dataset together
 ///
@@ -23,10 +24,21 @@ pub struct Finish {
     /// Finish what is there even if frames are missing
     #[arg(long)]
     partial: bool,
+    /// Wait until every frame is there; for engines that start the finishing with the shards
+    #[arg(long, conflicts_with = "partial")]
+    wait: bool,
 }
+
+/// Between two looks of one who waits.
+const LOOK_EACH: Duration = Duration::from_secs(10);
 
 impl Finish {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
+        if self.wait {
+            while Status::read(&self.dataset).map_or(true, |status| status.frames_done < status.frames_total) {
+                std::thread::sleep(LOOK_EACH);
+            }
+        }
         let dataset = Dataset::open(&self.dataset)?;
         let input: FinishInput = serde_json::from_slice(&dataset.facts()?).with_context(|| {
             format!("{} is damaged; run the recipe again with --limit 0", self.dataset.join(layout::FACTS).display())

@@ -13,6 +13,7 @@ macro_rules! say {
 mod check;
 mod diff;
 mod finish;
+mod job;
 mod plan;
 mod preview;
 mod progress;
@@ -76,6 +77,7 @@ enum Verb {
     Finish(finish::Finish),
     Verify(verify::Verify),
     Diff(diff::Diff),
+    Job(job::Job),
     Water(water::WaterVerb),
     Realism(realism::Realism),
     Schema(schema::Schema),
@@ -113,6 +115,7 @@ pub fn main() -> ExitCode {
         Verb::Finish(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),
         Verb::Diff(verb) => verb.run(),
+        Verb::Job(verb) => verb.run(),
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
         Verb::Schema(verb) => verb.run(),

@@ -10,6 +10,7 @@ mod world;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Mutex, PoisonError};
 
 pub use files::finish_facts;
@@ -17,8 +18,14 @@ pub use project::{Given, Project};
 pub use world::{World, Worlds};
 
 use crate::export::{Extent, FinishError, finish};
-use crate::store::{Shard, Store, StoreError, Summary};
+use crate::store::{FrameRecord, NewFile, Shard, Store, StoreError, Summary};
 use render::Renderer;
+
+/// Threads that write: each mostly waits for the disk, and those that wait at once wait for the same turn of it.
+const KEEPERS: usize = 8;
+
+/// A frame on its way to the store.
+type Rendered = (FrameRecord, Vec<NewFile>);
 
 /// How a run goes about its jobs.
 #[derive(Clone, Copy, Debug)]
@@ -112,7 +119,15 @@ pub fn run(
         .num_threads(threads)
         .build()
         .map_err(|error| RunError::Threads { threads, reason: error.to_string() })?;
-    pool.broadcast(|_| shift.work());
+    let (hand_over, finished) = sync_channel(threads);
+    let finished = Mutex::new(finished);
+    std::thread::scope(|scope| {
+        for _ in 0..KEEPERS {
+            scope.spawn(|| shift.keep(&finished));
+        }
+        pool.broadcast(|_| shift.work(&hand_over));
+        drop(hand_over);
+    });
 
     if let Some(error) = shift.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
         return Err(error.into());
@@ -149,16 +164,17 @@ struct Shift<'a> {
 }
 
 impl Shift<'_> {
-    fn work(&self) {
+    /// Renders frame after frame and hands them over.
+    fn work(&self, hand_over: &SyncSender<Rendered>) {
         let mut renderer = Renderer::default();
         while !self.is_over() {
             let Some(&id) = self.jobs.get(self.next.fetch_add(1, Ordering::Relaxed)) else { return };
             // A panic is a bug, but of one frame: the others must not be lost with it.
             let outcome = catch_unwind(AssertUnwindSafe(|| self.frame(&mut renderer, id)));
             match outcome {
-                Ok(Ok(())) => self.watch.frame_done(),
-                Ok(Err(FrameFault::Frame(reason))) => self.fail(id, reason),
-                Ok(Err(FrameFault::Store(error))) => self.breaks(error),
+                // The keepers are there as long as a thread renders.
+                Ok(Ok(rendered)) => drop(hand_over.send(rendered)),
+                Ok(Err(reason)) => self.fail(id, reason),
                 Err(_) => {
                     renderer = Renderer::default();
                     self.fail(id, "it made the program panic, which is a bug: please report it".into());
@@ -168,10 +184,22 @@ impl Shift<'_> {
         }
     }
 
-    fn frame(&self, renderer: &mut Renderer, id: u64) -> Result<(), FrameFault> {
+    /// Writes frames as they come, until none comes any more.
+    fn keep(&self, finished: &Mutex<Receiver<Rendered>>) {
+        loop {
+            let next = finished.lock().unwrap_or_else(PoisonError::into_inner).recv();
+            let Ok((record, files)) = next else { return };
+            match self.store.commit(record, &files) {
+                Ok(()) => self.watch.frame_done(),
+                Err(error) => self.breaks(error),
+            }
+        }
+    }
+
+    fn frame(&self, renderer: &mut Renderer, id: u64) -> Result<Rendered, String> {
         let plan = &self.project.plan;
         let job = &plan.jobs[id as usize];
-        let world = self.worlds.get(job).map_err(FrameFault::Frame)?;
+        let world = self.worlds.get(job)?;
         if job.frame == 0 {
             for dropped in &world.built().dropped {
                 let variant = job.variant.as_ref().map(|id| format!("{id} ")).unwrap_or_default();
@@ -180,8 +208,7 @@ impl Shift<'_> {
             }
         }
         let frame = renderer.render(&plan.header, job, &world);
-        let (record, new_files) = files::of_frame(plan, job, &world, frame);
-        self.store.commit(record, &new_files).map_err(FrameFault::Store)
+        Ok(files::of_frame(plan, job, &world, frame))
     }
 
     fn fail(&self, id: u64, reason: String) {
@@ -202,9 +229,4 @@ impl Shift<'_> {
             || self.broken.lock().unwrap_or_else(PoisonError::into_inner).is_some()
             || self.failed.lock().unwrap_or_else(PoisonError::into_inner).len() as u64 >= self.most_failures
     }
-}
-
-enum FrameFault {
-    Frame(String),
-    Store(StoreError),
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest as _, Sha256};
 
 use super::layout::TEMPORARY;
-use super::{FileRecord, StoreError};
+use super::{FileRecord, NewFile, StoreError};
 
 /// Writes files under a folder. Processes that write there at once have tags of their own, so that they may even write the
 /// same file, with the same bytes.
@@ -33,10 +33,32 @@ impl Writer {
         self.write_with(path, |out| out.write_all(bytes))
     }
 
+    /// Writes several whole files, and waits for their folders once each.
+    pub fn write_all(&self, files: &[NewFile]) -> Result<Vec<FileRecord>, StoreError> {
+        let write = |file: &NewFile| self.put(&file.path, |out| out.write_all(&file.bytes));
+        let records = files.iter().map(write).collect::<Result<_, _>>()?;
+        let mut folders: Vec<PathBuf> = files.iter().map(|file| self.root.join(&file.path)).collect();
+        folders.sort();
+        folders.dedup_by(|a, b| a.parent() == b.parent());
+        folders.iter().try_for_each(|path| sync_folder_of(path))?;
+        Ok(records)
+    }
+
     /// As [`Self::write`], with the contents written by `fill` piece by piece: under a temporary name in the same folder,
-    /// hashed on the way, synced, then renamed. After a failure the temporary file stays, and the next attempt overwrites
-    /// it.
+    /// hashed on the way, synced, then renamed, and the folder synced. After a failure the temporary file stays, and the
+    /// next attempt overwrites it.
     pub fn write_with(
+        &self,
+        path: &str,
+        fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<FileRecord, StoreError> {
+        let record = self.put(path, fill)?;
+        sync_folder_of(&self.root.join(path))?;
+        Ok(record)
+    }
+
+    /// As [`Self::write_with`], but for the folder.
+    fn put(
         &self,
         path: &str,
         fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -50,7 +72,6 @@ impl Writer {
         file.sync_all().map_err(StoreError::io("sync", &temporary))?;
         drop(file);
         fs::rename(&temporary, &target).map_err(StoreError::io("rename to", &target))?;
-        sync_folder_of(&target)?;
         Ok(FileRecord { path: path.to_owned(), bytes, sha256: hex(&hash.finalize()) })
     }
 

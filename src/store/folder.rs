@@ -102,12 +102,15 @@ impl Store {
         if record.id >= self.manifest.frames {
             return Err(refuse(format!("the plan has {} frames", self.manifest.frames)));
         }
-        record.files = files.iter().map(|f| self.writer.write(&f.path, &f.bytes)).collect::<Result<_, _>>()?;
+        record.files = self.writer.write_all(files)?;
         let (line, record) = line::done(&record).map_err(|error| refuse(error.to_string()))?;
-        let Progress { journal, index } = &mut *self.progress();
-        let offset = journal.append(&line)?;
-        index.add(journal.path(), record.id, offset, line.len());
-        Ok(())
+        let (file, path) = {
+            let Progress { journal, index } = &mut *self.progress();
+            let (offset, file) = journal.append(&line)?;
+            index.add(journal.path(), record.id, offset, line.len());
+            (file, journal.path().to_path_buf())
+        };
+        file.sync_data().map_err(StoreError::io("sync", &path))
     }
 
     /// Journals that a frame cannot be rendered, and why.
@@ -116,9 +119,9 @@ impl Store {
     /// [`StoreError`] if the journal cannot be written.
     pub fn fail(&self, id: u64, reason: &str) -> Result<(), StoreError> {
         let Progress { journal, index } = &mut *self.progress();
-        journal.append(&line::failed(id, reason))?;
+        let (_, file) = journal.append(&line::failed(id, reason))?;
         index.fail(id, reason);
-        Ok(())
+        file.sync_data().map_err(StoreError::io("sync", journal.path()))
     }
 
     /// Ids of this shard's frames that are still to be rendered, in order.

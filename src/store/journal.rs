@@ -3,6 +3,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufRead as _, BufReader, BufWriter, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::atomic::{self, Writer};
 use super::{Shard, StoreError, layout, line};
@@ -10,7 +11,7 @@ use super::{Shard, StoreError, layout, line};
 /// A journal, open for writing.
 #[derive(Debug)]
 pub(crate) struct Journal {
-    file: File,
+    file: Arc<File>,
     path: PathBuf,
     /// Bytes of whole lines.
     length: u64,
@@ -25,7 +26,7 @@ impl Journal {
         let file = OpenOptions::new().append(true).create(true).open(&path).map_err(StoreError::io("open", &path))?;
         let length = file.metadata().map_err(StoreError::io("read", &path))?.len();
         atomic::sync_folder_of(&path)?;
-        Ok(Self { file, path, length })
+        Ok(Self { file: Arc::new(file), path, length })
     }
 
     /// The file.
@@ -33,17 +34,17 @@ impl Journal {
         &self.path
     }
 
-    /// Adds a line in one write and syncs it; returns where it begins.
-    pub fn append(&mut self, line: &str) -> Result<u64, StoreError> {
-        let written = self.file.write_all(line.as_bytes()).and_then(|()| self.file.sync_data());
-        if let Err(source) = written {
+    /// Adds a line in one write; returns where it begins, and the file to sync: without the lock that guards the journal,
+    /// so that threads that sync at once share one wait.
+    pub fn append(&mut self, line: &str) -> Result<(u64, Arc<File>), StoreError> {
+        if let Err(source) = (&*self.file).write_all(line.as_bytes()) {
             // A half line must not spoil the next; if even this fails, the next line's checksum tells.
             let _ = self.file.set_len(self.length);
             return Err(StoreError::Io { doing: "write", path: self.path.clone(), source });
         }
         let began = self.length;
         self.length += line.len() as u64;
-        Ok(began)
+        Ok((began, self.file.clone()))
     }
 }
 
