@@ -38,7 +38,7 @@ impl Check {
         let list = |counts: &BTreeMap<&str, u64>| {
             counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
         };
-        say!("{} is fine", self.recipe.recipe.display());
+        say!("{} is fine", self.recipe.file().display());
         say!("  scenes    {}", plan.header.scenes);
         if !plan.variants.is_empty() {
             say!("  variants  {}", plan.variants.len());

@@ -1,14 +1,14 @@
 //! From a recipe to a plan: sections drawn scene by scene and frame by frame, models chosen, everything checked.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::path::Path;
 
-use sha2::{Digest as _, Sha256};
-
+use super::deal::Deal;
 use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
 use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, VariantPlan};
-use crate::catalog::{Asset, CatalogError, materials};
+use crate::catalog::{Asset, Catalog, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
 use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
@@ -44,7 +44,8 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
         };
         let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
         let variant = plan.variants.get(number).cloned();
-        Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
+        let deals = RefCell::default();
+        Compiler { sections, recipe_dir, assets, seed, variant, deals }.scenes(&mut plan)?;
     }
     Ok(plan)
 }
@@ -72,6 +73,8 @@ struct Compiler<'a> {
     assets: &'a AssetCache,
     seed: u64,
     variant: Option<VariantPlan>,
+    /// Of each catalog by name, where models are dealt out.
+    deals: RefCell<BTreeMap<String, Deal>>,
 }
 
 impl Compiler<'_> {
@@ -164,7 +167,7 @@ impl Compiler<'_> {
         let ObjectEntry { label, pick, pose } = entry;
         let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let matching = catalog.pick(&pick).map_err(refuse)?;
-        let dealt = choice.dealt(matching);
+        let dealt = self.dealt(&catalog, &pick.catalog, matching, choice);
         if dealt.is_empty() {
             let fault = format!(
                 "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
@@ -177,13 +180,7 @@ impl Compiler<'_> {
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
         let key = format!("{}/{}", pick.catalog, asset.uid);
         if let Entry::Vacant(place) = locks.entry(key) {
-            place.insert(AssetLock {
-                sha256: sha256_of(&asset.path).map_err(|error| self.unreadable(item, &asset.path, &error))?,
-                name: asset.name.clone(),
-                licence: asset.licence.clone(),
-                attribution: asset.attribution.clone(),
-                source: asset.source.clone(),
-            });
+            place.insert(AssetLock::of_model(asset).map_err(|error| self.unreadable(item, &asset.path, &error))?);
         }
         Ok(BodySpec {
             label: label.unwrap_or_else(|| asset.label.clone()),
@@ -191,6 +188,23 @@ impl Compiler<'_> {
             uid: asset.uid.clone(),
             pose,
         })
+    }
+
+    /// Those of the models that scenes of this split may show.
+    fn dealt<'m>(
+        &self,
+        catalog: &Catalog,
+        name: &str,
+        matching: Vec<&'m Asset>,
+        choice: &Choice<'_>,
+    ) -> Vec<&'m Asset> {
+        let Header { splits, seed, .. } = choice.header;
+        if splits.by != SplitBy::Asset {
+            return matching;
+        }
+        let mut deals = self.deals.borrow_mut();
+        let deal = deals.entry(name.to_owned()).or_insert_with(|| Deal::of(splits, *seed, catalog));
+        matching.into_iter().filter(|asset| deal.is_in(&asset.uid, choice.split)).collect()
     }
 
     /// Refuses what building the scene would refuse, with the place in the recipe. `items` tells each body's list item.
@@ -226,14 +240,7 @@ impl Compiler<'_> {
     /// Pins a file that is no model of a catalog.
     fn lock(&self, section: &str, file: &str, locks: &mut BTreeMap<String, AssetLock>) -> std::io::Result<()> {
         if let Entry::Vacant(place) = locks.entry(format!("{section}/{file}")) {
-            let unknown = || "not stated".to_owned();
-            place.insert(AssetLock {
-                sha256: sha256_of(&self.recipe_dir.join(file))?,
-                name: file.to_owned(),
-                licence: unknown(),
-                attribution: unknown(),
-                source: file.to_owned(),
-            });
+            place.insert(AssetLock::of_file(self.recipe_dir, file)?);
         }
         Ok(())
     }
@@ -253,23 +260,4 @@ struct Choice<'a> {
     stream: &'a mut Stream,
     header: &'a Header,
     split: Split,
-}
-
-impl Choice<'_> {
-    /// Those of the models that scenes of this split may show.
-    ///
-    /// Dealt by uid alone: a catalog may be reached by several names.
-    fn dealt<'m>(&self, matching: Vec<&'m Asset>) -> Vec<&'m Asset> {
-        let Header { splits, seed, .. } = self.header;
-        let of_ours = |asset: &&Asset| splits.of_key(*seed, &asset.uid) == self.split;
-        match splits.by {
-            SplitBy::Scene | SplitBy::Variant => matching,
-            SplitBy::Asset => matching.into_iter().filter(of_ours).collect(),
-        }
-    }
-}
-
-fn sha256_of(path: &Path) -> std::io::Result<String> {
-    let bytes = std::fs::read(path)?;
-    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
 }

@@ -44,9 +44,6 @@ pub(super) const SWEPT: [&str; 9] =
 /// Keys and sections that are the same for all frames.
 const CONSTANT: [&str; 7] = ["name", "seed", "scenes", "frames", "labels", "splits", "output"];
 
-/// Most frames of one dataset.
-const MAX_JOBS: u64 = 10_000_000;
-
 /// An item of `objects`, one instance of it drawn.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -174,38 +171,7 @@ impl Sections {
             splits: self.required::<Splits>("splits")?,
             output: self.required::<Output>("output")?,
         };
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-        if header.name.is_empty() || !header.name.chars().all(plain) || header.name.starts_with('.') {
-            let help = "use letters, digits, `-`, `_` and `.`: it names the folder of the dataset";
-            return Err(self.tree.reject("name", &format!("`{}` cannot name a dataset", header.name), help));
-        }
-        for (key, count) in [("scenes", header.scenes), ("frames", header.frames)] {
-            if count == 0 {
-                return Err(self.tree.reject(key, "there must be at least 1", "write a whole number from 1"));
-            }
-        }
-        let jobs = header.scenes.checked_mul(header.frames).and_then(|jobs| jobs.checked_mul(variants));
-        if jobs.is_none_or(|jobs| jobs > MAX_JOBS) {
-            let swept = if variants > 1 { " x variants" } else { "" };
-            let message = format!("scenes x frames{swept} is more than {MAX_JOBS}");
-            return Err(self.tree.reject("scenes", &message, "make several datasets"));
-        }
-        if !header.splits.possible() {
-            let help = "shares are 0 or more, and one of them is positive";
-            return Err(self.tree.reject("splits", "these shares cannot be dealt out", help));
-        }
-        if !(0.0..=1.0).contains(&header.labels.min_share) {
-            let message = format!("{} is not a share", header.labels.min_share);
-            return Err(self.tree.reject("labels.min_share", &message, "write a number from 0 to 1"));
-        }
-        if header.output.views.is_empty() {
-            let help = "write `views: [polar]`, `[fan]` or `[polar, fan]`";
-            return Err(self.tree.reject("output.views", "there is nothing to write", help));
-        }
-        if !(16..=8192).contains(&header.output.fan_height_px) {
-            let message = format!("a fan {} pixels high cannot be drawn", header.output.fan_height_px);
-            return Err(self.tree.reject("output.fan_height_px", &message, "write a whole number from 16 to 8192"));
-        }
+        header.check(variants).map_err(|fault| self.tree.reject(fault.key, &fault.problem, &fault.remedy))?;
         Ok(header)
     }
 

@@ -30,6 +30,7 @@ mod sweep;
 pub use defaults::DEFAULTS;
 pub use draw::{Address, Draws, Level};
 pub use error::Error;
+pub(crate) use error::printable;
 pub use include::{Included, Outside};
 pub use lets::{Lets, Shared};
 pub use nearest::{did_you_mean, nearest};
@@ -182,7 +183,8 @@ impl Tree {
             }
             _ => {
                 let message = format!("the format version cannot be {}", node.describe());
-                Err(Error::new(&node.span, "ensonify", message, format!("write `ensonify: {VERSION}`")))
+                let plan = if node.text().is_some() { "; a plan is given with `--plan FILE`" } else { "" };
+                Err(Error::new(&node.span, "ensonify", message, format!("write `ensonify: {VERSION}`{plan}")))
             }
         }
     }

@@ -11,7 +11,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-pub use project::{Given, Project};
+pub use project::{Given, GivenPlan, Project};
 pub use world::{World, Worlds};
 
 use crate::export::{FinishError, finish};
