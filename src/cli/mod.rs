@@ -107,6 +107,11 @@ impl RecipeArgs {
     }
 }
 
+/// Threads where `--jobs` does not say.
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
 /// Parses the arguments of this process and does what they say.
 #[must_use]
 pub fn main() -> ExitCode {

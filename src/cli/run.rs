@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 
 use super::progress::Progress;
-use super::{Code, RecipeArgs};
+use super::{Code, RecipeArgs, processors};
 use crate::run::{Ended, Options, Project, RunError, run};
 use crate::store::{Identity, Status, Store};
 
@@ -107,8 +107,4 @@ impl Run {
             }
         }
     }
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }

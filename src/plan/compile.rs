@@ -11,7 +11,7 @@ use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, 
 use crate::catalog::{Asset, Catalog, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
-use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
+use crate::scene::{AssetCache, BodySpec, EnvironmentSpec, Labels, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
 ///
@@ -21,9 +21,7 @@ use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
 /// The first fault of the recipe, of a catalog or of a model, located in the recipe.
 pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCache) -> Result<Plan, PlanError> {
     recipe.completed().version()?;
-    let variants = recipe.variants(&SWEPT)?;
-    let unswept = [Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
-    let all = if variants.is_empty() { &unswept[..] } else { &variants };
+    let (variants, all) = variants(recipe)?;
     let first = Sections::new(&all[0].recipe, recipe_dir)?;
     let header = first.header(stem, all.len() as u64)?;
     let names = variants.iter().enumerate().map(|(number, variant)| named(number, variant, header.seed)).collect();
@@ -42,12 +40,17 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
             Some(sections) => sections,
             None => Sections::new(&variant.recipe, recipe_dir)?,
         };
-        let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
-        let variant = plan.variants.get(number).cloned();
-        let deals = RefCell::default();
-        Compiler { sections, recipe_dir, assets, seed, variant, deals }.scenes(&mut plan)?;
+        Compiler::new(sections, &plan, number, Files { recipe_dir, assets }).scenes(&mut plan)?;
     }
     Ok(plan)
+}
+
+/// The variants of a sweep; and of a recipe without one, the recipe itself.
+pub(super) fn variants(recipe: &Recipe) -> Result<(Vec<Variant>, Vec<Variant>), PlanError> {
+    let variants = recipe.variants(&SWEPT)?;
+    let unswept = || vec![Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
+    let all = if variants.is_empty() { unswept() } else { variants.clone() };
+    Ok((variants, all))
 }
 
 /// What a person should know of a recipe that can be run.
@@ -66,9 +69,16 @@ fn named(number: usize, variant: &Variant, seed: u64) -> VariantPlan {
     VariantPlan { id, description, set: variant.set.clone(), repeat: variant.repeat, seed }
 }
 
+/// Where files are found and kept.
+#[derive(Clone, Copy)]
+pub(super) struct Files<'a> {
+    pub recipe_dir: &'a Path,
+    pub assets: &'a AssetCache,
+}
+
 /// One variant on its way into the plan.
-struct Compiler<'a> {
-    sections: Sections,
+pub(super) struct Compiler<'a> {
+    pub sections: Sections,
     recipe_dir: &'a Path,
     assets: &'a AssetCache,
     seed: u64,
@@ -77,7 +87,15 @@ struct Compiler<'a> {
     deals: RefCell<BTreeMap<String, Deal>>,
 }
 
-impl Compiler<'_> {
+impl<'a> Compiler<'a> {
+    /// The compiler of a variant by its number; of a recipe without a sweep that is 0.
+    pub fn new(sections: Sections, plan: &Plan, number: usize, files: Files<'a>) -> Self {
+        let variant = plan.variants.get(number).cloned();
+        let seed = variant.as_ref().map_or(plan.header.seed, |variant| variant.seed);
+        let Files { recipe_dir, assets } = files;
+        Self { sections, recipe_dir, assets, seed, variant, deals: RefCell::default() }
+    }
+
     /// Adds every scene and frame of the variant to the plan.
     fn scenes(&self, plan: &mut Plan) -> Result<(), PlanError> {
         for index in 0..plan.header.scenes {
@@ -87,7 +105,7 @@ impl Compiler<'_> {
             for frame in 0..plan.header.frames {
                 let address = self.address(index, Level::Frame(frame));
                 let shared = self.sections.lets.draw(&address)?;
-                let sections = self.sections.frame(&Turn { address, shared: &shared })?;
+                let sections = self.sections.frame(&Turn { address, shared: &shared, corner: None })?;
                 plan.jobs.push(Job {
                     id: plan.jobs.len() as u64,
                     variant: self.variant.as_ref().map(|variant| variant.id.clone()),
@@ -104,7 +122,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn address(&self, scene: u64, level: Level) -> Address {
+    pub fn address(&self, scene: u64, level: Level) -> Address {
         Address { seed: self.seed, scene, level }
     }
 
@@ -118,13 +136,10 @@ impl Compiler<'_> {
         let mut drawn = Draws::new();
         let shared = self.sections.lets.draw(&self.address(index, Level::Scene))?;
         drawn.extend(shared.drawn.clone());
-        let turn = |level| Turn { address: self.address(index, level), shared: &shared };
+        let turn = |level| Turn { address: self.address(index, level), shared: &shared, corner: None };
         let World { seabed, environment, multipath } = self.sections.world(&turn(Level::Scene), &mut drawn)?;
         let split = self.split(header, index)?;
-        if let (SplitBy::Asset, Some(Labels::ByNode)) = (header.splits.by, environment.as_ref().map(|e| e.labels)) {
-            let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
-            return Err(self.refuse("environment.labels", &fault));
-        }
+        self.check_labels(header, environment.as_ref())?;
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
@@ -142,6 +157,15 @@ impl Compiler<'_> {
         Ok(ScenePlan { variant, index, seed, split, spec, drawn })
     }
 
+    /// Refuses labelled parts of environments where models are dealt out.
+    pub fn check_labels(&self, header: &Header, environment: Option<&EnvironmentSpec>) -> Result<(), PlanError> {
+        if header.splits.by != SplitBy::Asset || environment.is_none_or(|spec| spec.labels == Labels::None) {
+            return Ok(());
+        }
+        let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
+        Err(self.refuse("environment.labels", &fault))
+    }
+
     /// The split of a scene: the same in all variants, but where variants themselves are dealt out.
     fn split(&self, header: &Header, scene: u64) -> Result<Split, PlanError> {
         match (header.splits.by, &self.variant) {
@@ -156,7 +180,7 @@ impl Compiler<'_> {
 
     /// Chooses a model for an instance, all that match being equally likely; of the scene's split alone where models are
     /// dealt out.
-    fn body(
+    pub fn body(
         &self,
         item: usize,
         entry: ObjectEntry,
@@ -208,7 +232,7 @@ impl Compiler<'_> {
     }
 
     /// Refuses what building the scene would refuse, with the place in the recipe. `items` tells each body's list item.
-    fn check(
+    pub fn check(
         &self,
         spec: &SceneSpec,
         items: &[usize],
@@ -246,7 +270,7 @@ impl Compiler<'_> {
     }
 
     /// A fault found by a module that knows no recipe, at its place in the recipe. Messages carry their own remedy.
-    fn refuse(&self, path: &str, fault: &dyn std::fmt::Display) -> PlanError {
+    pub fn refuse(&self, path: &str, fault: &dyn std::fmt::Display) -> PlanError {
         self.sections.tree.reject(path, &fault.to_string(), "").into()
     }
 
@@ -256,8 +280,8 @@ impl Compiler<'_> {
 }
 
 /// Who chooses a model, and for which split.
-struct Choice<'a> {
-    stream: &'a mut Stream,
-    header: &'a Header,
-    split: Split,
+pub(super) struct Choice<'a> {
+    pub stream: &'a mut Stream,
+    pub header: &'a Header,
+    pub split: Split,
 }

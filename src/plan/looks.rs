@@ -11,14 +11,14 @@ use crate::physics::TurbidWater;
 use crate::recipe::{self, Draws, Level, Node, Recipe, Tree};
 
 /// Sections that a look may change: what comes after the echoes.
-const SECTIONS: [&str; 2] = ["water", "image"];
+pub(super) const SECTIONS: [&str; 2] = ["water", "image"];
 /// Most looks of a dataset.
 pub(super) const MOST: usize = 64;
 
 /// The recipe as one look sees it.
 pub(super) struct LookTree {
     name: Option<String>,
-    tree: Tree,
+    pub(super) tree: Tree,
 }
 
 /// The looks of a recipe; one without a name where it has none.

@@ -3,6 +3,7 @@
 //! Knows what is to be done, to the last number; does none of it.
 
 mod compile;
+mod corners;
 mod deal;
 mod error;
 mod header;
@@ -19,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 pub use compile::{compile, notes};
+pub use corners::{Tried, corners};
 pub use error::{PlanError, PlanFault};
 pub use header::{Header, Output, Raw, Split, SplitBy, Splits, Stratify};
 pub use lock::{AssetLock, Shown};

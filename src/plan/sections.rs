@@ -9,7 +9,7 @@ use super::header::{Header, Output, Splits};
 use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
 use crate::label::LabelSettings;
-use crate::recipe::{self, Address, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
+use crate::recipe::{self, Address, Corner, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
@@ -91,17 +91,18 @@ impl Checker<'_> {
     }
 }
 
-/// What is drawn now: an address, and the shared draws there.
+/// What is drawn now: an address, the shared draws there, and a leaf that is at a corner instead.
 #[derive(Clone, Copy)]
 pub(super) struct Turn<'a> {
     pub address: Address,
     pub shared: &'a Shared,
+    pub corner: Option<&'a Corner>,
 }
 
 impl Turn<'_> {
     /// A part of the recipe drawn: shared draws written in, then every leaf; and what was drawn.
     pub fn draw(&self, node: &Node, path: &str) -> Result<(Node, Draws), recipe::Error> {
-        self.shared.complete_into(node, path)?.draw_recorded(path, &self.address)
+        self.shared.complete_into(node, path)?.draw_at(path, &self.address, self.corner)
     }
 }
 
@@ -209,7 +210,7 @@ impl Sections {
     fn sonar(&self, turn: &Turn<'_>, drawn: &mut Draws) -> Result<Sonar, recipe::Error> {
         // Without defaults: those of the device come first.
         let user = turn.shared.write_into(&self.sonar, "sonar")?;
-        let (user, draws) = user.draw_recorded("sonar", &turn.address)?;
+        let (user, draws) = user.draw_at("sonar", &turn.address, turn.corner)?;
         drawn.extend(draws);
         let under = match user.get("device") {
             Some(device) => self.device(device)?.merged_over(&self.sonar_defaults),
@@ -258,13 +259,40 @@ impl Sections {
             return Err(self.tree.reject("objects", &format!("there is no item {item}"), ""));
         };
         let node = turn.shared.complete_into(node, &path)?;
-        let (node, draws) = without(&node, "count").draw_recorded(&path, &turn.address)?;
+        let (node, draws) = without(&node, "count").draw_at(&path, &turn.address, turn.corner)?;
         let Level::Instance(instance) = turn.address.level else { unreachable!("objects are drawn by instance") };
         let named = |(leaf, value): (String, _)| {
             (format!("{path}#{instance}{}", leaf.strip_prefix(&path).unwrap_or_default()), value)
         };
         drawn.extend(draws.into_iter().map(named));
         node.to(&path)
+    }
+
+    /// Every part that is drawn for frames, scenes and instances, with its path: where distributions may stand. A part is
+    /// as it is drawn from, shared draws written in.
+    pub fn parts(&self, scene: &Shared, frame: &Shared) -> Result<Vec<(String, Node)>, recipe::Error> {
+        let mut parts = vec![("sonar".to_owned(), frame.write_into(&self.sonar, "sonar")?)];
+        let mut add = |tree: &Tree, path: &str, shared: &Shared| -> Result<(), recipe::Error> {
+            if let Some(node) = tree.at(path) {
+                let part = (path.to_owned(), shared.complete_into(node, path)?);
+                // Looks share what they do not change.
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+            Ok(())
+        };
+        add(&self.tree, "trajectory", frame)?;
+        for path in ["seabed", "environment", "multipath"] {
+            add(&self.tree, path, scene)?;
+        }
+        for item in 0..self.object_items()? {
+            add(&self.tree, &format!("objects[{item}]"), scene)?;
+        }
+        for (look, path) in self.looks.iter().flat_map(|look| looks::SECTIONS.map(|path| (look, path))) {
+            add(&look.tree, path, frame)?;
+        }
+        Ok(parts)
     }
 
     /// How many items `objects` has.

@@ -12,8 +12,6 @@ use crate::math::Impossible;
 use crate::recipe::MAX_VARIANTS;
 use crate::scene::{AssetCache, SceneError, SceneSpec};
 
-/// Most bodies of a scene: masks number them with 16 bits.
-const MAX_BODIES: usize = u16::MAX as usize;
 /// What to do about numbers that contradict each other.
 const AS_WRITTEN: &str = "plans count as `ensonify plan RECIPE --json` writes them";
 /// What to do about a file that is not found.
@@ -76,10 +74,6 @@ impl Verifier<'_> {
         self.same(&at("index"), &scene.index, &index)?;
         self.same(&at("seed"), &scene.seed, &variant.map_or(plan.header.seed, |variant| variant.seed))?;
         let spec = &scene.spec;
-        if spec.bodies.len() > MAX_BODIES {
-            let problem = format!("{} bodies in one scene; masks number at most {MAX_BODIES}", spec.bodies.len());
-            return Err(self.fault(&at("spec.bodies"), problem, "take fewer objects"));
-        }
         if spec.seabed.is_none() && spec.environment.is_none() {
             let problem = "a scene needs a seabed or an environment";
             return Err(self.fault(&at("spec"), problem, AS_WRITTEN));

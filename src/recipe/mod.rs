@@ -7,6 +7,7 @@
 //! Every value knows file, line and column, so every error does. Knows nothing of what the values mean: other modules define
 //! plain serde structs, check ranges, and report through [`Tree::reject`].
 
+mod corner;
 mod de;
 mod de_enum;
 mod de_items;
@@ -27,6 +28,7 @@ mod set;
 mod source;
 mod sweep;
 
+pub use corner::Corner;
 pub use defaults::DEFAULTS;
 pub use draw::{Address, Draws, Level};
 pub use error::Error;

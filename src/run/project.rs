@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
-use crate::plan::{self, Plan, PlanError, PlanFault, compile, notes};
+use crate::plan::{self, Plan, PlanError, PlanFault, Tried, compile, corners, notes};
 use crate::recipe::{self, Included, Outside, Recipe};
 use crate::scene::AssetCache;
 use crate::store::IncludeLock;
@@ -50,6 +50,8 @@ pub struct Project {
     pub notes: Vec<recipe::Error>,
     /// The models.
     pub assets: AssetCache,
+    /// Where relative paths begin.
+    pub folder: PathBuf,
 }
 
 impl Project {
@@ -72,7 +74,16 @@ impl Project {
         let recipe_text = Some(std::fs::read_to_string(path).unwrap_or_default());
         let includes = includes.iter().map(include_lock).collect();
         let notes = notes(&recipe);
-        Ok(Self { includes, recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets) })
+        Ok(Self { includes, recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets, recipe_dir) })
+    }
+
+    /// Tries what could be drawn beside what is drawn; of a project that was given as a plan there is nothing to try.
+    ///
+    /// # Errors
+    /// The first thing that would be refused, located in the recipe.
+    pub fn try_corners(&self) -> Result<Tried, PlanError> {
+        let recipe = self.recipe.as_ref();
+        recipe.map_or(Ok(Tried::default()), |recipe| corners(recipe, &self.plan, &self.folder, &self.assets))
     }
 
     /// Reads and verifies a plan.
@@ -98,14 +109,14 @@ impl Project {
         };
         let assets = AssetCache::new(&folder);
         let plan = plan::read(&name, &json, &folder, &assets)?;
-        Ok(Self::of(plan, assets))
+        Ok(Self::of(plan, assets, folder))
     }
 
-    fn of(plan: Plan, assets: AssetCache) -> Self {
+    fn of(plan: Plan, assets: AssetCache, folder: PathBuf) -> Self {
         let plan_json = plan.json();
         let plan_hash = Plan::hash(&plan_json);
         let (includes, notes) = (Vec::new(), Vec::new());
-        Self { recipe: None, recipe_text: None, includes, plan, plan_json, plan_hash, notes, assets }
+        Self { recipe: None, recipe_text: None, includes, plan, plan_json, plan_hash, notes, assets, folder }
     }
 }
 
