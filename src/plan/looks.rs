@@ -17,7 +17,7 @@ pub(super) const MOST: usize = 64;
 
 /// The recipe as one look sees it.
 pub(super) struct LookTree {
-    name: Option<String>,
+    pub(super) name: Option<String>,
     pub(super) tree: Tree,
 }
 

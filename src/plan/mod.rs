@@ -9,6 +9,7 @@ mod error;
 mod header;
 mod lock;
 mod looks;
+mod origin;
 mod read;
 mod schema;
 mod sections;
@@ -24,6 +25,7 @@ pub use corners::{Tried, corners};
 pub use error::{PlanError, PlanFault};
 pub use header::{Header, Output, Raw, Split, SplitBy, Splits, Stratify};
 pub use lock::{AssetLock, Shown};
+pub use origin::{Origin, Origins};
 pub use read::read;
 pub use schema::schema;
 

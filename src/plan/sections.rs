@@ -295,6 +295,11 @@ impl Sections {
         Ok(parts)
     }
 
+    /// The recipe as a look sees it.
+    pub fn look(&self, name: &str) -> Option<&Tree> {
+        self.looks.iter().find(|look| look.name.as_deref() == Some(name)).map(|look| &look.tree)
+    }
+
     /// How many items `objects` has.
     pub fn object_items(&self) -> Result<usize, recipe::Error> {
         let Some(node) = self.tree.at("objects") else { return Ok(0) };

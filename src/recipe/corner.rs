@@ -61,9 +61,8 @@ impl Corner {
         let elsewhere = fault.path != *path && !fault.path.is_empty();
         let place = if elsewhere { format!(" ({})", fault.path) } else { String::new() };
         let message = format!("{what} could be drawn: {}{place}", fault.message);
-        let help = if fault.help.is_empty() { "let nothing be drawn that cannot be".to_owned() } else { fault.help };
         let span = if span.is_built_in() { &fault.span } else { span };
-        Error::new(span, path, message, help)
+        Error::new(span, path, message, fault.help)
     }
 }
 

@@ -163,7 +163,7 @@ impl Node {
         }
     }
 
-    fn step(&self, step: &Step) -> Option<&Self> {
+    pub(super) fn step(&self, step: &Step) -> Option<&Self> {
         match step {
             Step::Key(key) => self.get(key),
             Step::Index(index) => self.items().get(*index),

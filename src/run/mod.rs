@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 pub use project::{Given, GivenPlan, Project};
-pub use survey::{Sight, Survey, survey};
+pub use survey::{InView, Place, Sight, Survey, survey};
 pub use trial::{Trial, trial};
 pub use world::{World, Worlds};
 

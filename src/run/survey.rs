@@ -139,24 +139,51 @@ fn falls(sonar: &Sonar, pose: &Pose) -> f64 {
 }
 
 /// Where a body is as the sonar has it.
-struct Place {
-    range_m: f64,
-    /// Of the largest extent, metres.
-    size_m: f64,
-    why: Why,
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// From the sonar to the body's middle, metres.
+    pub range_m: f64,
+    /// To port positive, radians.
+    pub bearing_rad: f64,
+    /// Largest extent, metres.
+    pub size_m: f64,
+    /// Whether it is in the sector.
+    pub view: InView,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Why {
-    InView,
+/// Whether a body is in a sonar's sector, or where it is instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InView {
+    /// In the sector.
+    Yes,
+    /// Beyond the range.
     Far,
+    /// Nearer than the range begins.
     Near,
+    /// To the side of the sector.
     Beside,
+    /// Above or below the sector.
     OffHeight,
 }
 
+impl InView {
+    /// In words that go on after "is".
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Yes => "in view",
+            Self::Far => "beyond range_m",
+            Self::Near => "nearer than range_m begins",
+            Self::Beside => "outside azimuth_deg",
+            Self::OffHeight => "above or below elevation_deg",
+        }
+    }
+}
+
 impl Place {
-    fn of(sonar: &Sonar, pose: &Pose, body: &Body) -> Self {
+    /// The place of a body; `pose` is world_from_sonar.
+    #[must_use]
+    pub fn of(sonar: &Sonar, pose: &Pose, body: &Body) -> Self {
         let there = pose.rotation.transpose() * (body.centre - pose.position);
         let (range_m, half) = (there.length(), 0.5 * body.radius);
         let [near, far] = sonar.range_m;
@@ -168,34 +195,34 @@ impl Place {
         };
         let up = angle(there.z / range_m.max(1e-9));
         let behind = there.x < -half;
-        let why = if range_m - half > far {
-            Why::Far
+        let view = if range_m - half > far {
+            InView::Far
         } else if range_m + half < near {
-            Why::Near
+            InView::Near
         } else if behind || across.abs() - margin > radians(0.5 * sonar.azimuth_deg) {
-            Why::Beside
+            InView::Beside
         } else if up.abs() - margin > radians(0.5 * sonar.elevation_deg) {
-            Why::OffHeight
+            InView::OffHeight
         } else {
-            Why::InView
+            InView::Yes
         };
-        Self { range_m, size_m: 2.0 * body.radius, why }
+        Self { range_m, bearing_rad: across, size_m: 2.0 * body.radius, view }
     }
 
     fn is_in_view(&self) -> bool {
-        self.why == Why::InView
+        self.view == InView::Yes
     }
 }
 
 impl Sight {
     fn add(&mut self, place: &Place, sonar: &Sonar, header: &Header) {
         self.views += 1;
-        match place.why {
-            Why::InView => self.in_view += 1,
-            Why::Far => self.far += 1,
-            Why::Near => self.near += 1,
-            Why::Beside => self.beside += 1,
-            Why::OffHeight => self.off_height += 1,
+        match place.view {
+            InView::Yes => self.in_view += 1,
+            InView::Far => self.far += 1,
+            InView::Near => self.near += 1,
+            InView::Beside => self.beside += 1,
+            InView::OffHeight => self.off_height += 1,
         }
         if !place.is_in_view() {
             return;
@@ -245,13 +272,13 @@ mod tests {
     fn bodies_are_told_apart_by_where_they_are() {
         let why = |x: f64, y: f64, z: f64| {
             let body = Body { label: String::new(), asset: String::new(), centre: DVec3::new(x, y, z), radius: 0.2 };
-            Place::of(&sonar(), &Pose::IDENTITY, &body).why
+            Place::of(&sonar(), &Pose::IDENTITY, &body).view
         };
-        assert!(why(5.0, 0.0, 0.0) == Why::InView && why(4.0, 3.9, 0.0) == Why::InView);
-        assert!(why(10.05, 0.0, 0.0) == Why::InView && why(10.2, 0.0, 0.0) == Why::Far);
-        assert!(why(0.5, 0.0, 0.0) == Why::Near);
-        assert!(why(3.0, 4.0, 0.0) == Why::Beside && why(-5.0, 0.0, 0.0) == Why::Beside);
-        assert!(why(5.0, 0.0, -2.0) == Why::OffHeight);
+        assert!(why(5.0, 0.0, 0.0) == InView::Yes && why(4.0, 3.9, 0.0) == InView::Yes);
+        assert!(why(10.05, 0.0, 0.0) == InView::Yes && why(10.2, 0.0, 0.0) == InView::Far);
+        assert!(why(0.5, 0.0, 0.0) == InView::Near);
+        assert!(why(3.0, 4.0, 0.0) == InView::Beside && why(-5.0, 0.0, 0.0) == InView::Beside);
+        assert!(why(5.0, 0.0, -2.0) == InView::OffHeight);
     }
 
     #[test]

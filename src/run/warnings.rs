@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
-use super::survey::{Sight, Survey};
+use super::survey::{InView, Sight, Survey};
 use crate::image::Channel;
 use crate::image::reach::REACH_SEABED_DB;
 use crate::physics::absorption::francois_garrison;
@@ -92,15 +92,15 @@ fn hardly(label: &str, sight: &Sight) -> Option<String> {
         return None;
     }
     let causes = [
-        (sight.far, "beyond range_m", "go nearer, or raise range_m"),
-        (sight.near, "nearer than range_m begins", "keep off, or let range_m begin nearer"),
-        (sight.beside, "outside azimuth_deg", "turn trajectory or mount towards it"),
-        (sight.off_height, "above or below elevation_deg", "change the altitude or mount.pitch_deg"),
+        (sight.far, InView::Far, "go nearer, or raise range_m"),
+        (sight.near, InView::Near, "keep off, or let range_m begin nearer"),
+        (sight.beside, InView::Beside, "turn trajectory or mount towards it"),
+        (sight.off_height, InView::OffHeight, "change the altitude or mount.pitch_deg"),
     ];
-    let (count, what, remedy) = causes.into_iter().max_by_key(|(count, ..)| *count)?;
+    let (count, cause, remedy) = causes.into_iter().max_by_key(|(count, ..)| *count)?;
     let Sight { views, in_view, .. } = sight;
-    let often = if *in_view == 0 { "never".to_owned() } else { format!("in {in_view}") };
-    Some(format!("`{label}` is in view {often} of {views} times, {what} {count} times: {remedy}").replace("never of", "never in"))
+    let what = cause.name();
+    Some(format!("`{label}` is in view in {in_view} of {views} views that were looked at, {what} in {count}; {remedy}"))
 }
 
 /// Splits without frames, and splits without a class that others have.
