@@ -7,10 +7,13 @@ use super::compile::variants;
 use super::sections::Sections;
 use crate::recipe::{Node, Recipe};
 
+/// Longest distribution that is shown whole, in characters.
+const LONGEST_LAW: usize = 100;
+
 /// Where a drawn value came from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Origin {
-    /// The distribution as it is written.
+    /// The distribution as it is written, cut where it is long.
     pub law: String,
     /// How often it is drawn: "once a scene" and the like.
     pub often: &'static str,
@@ -46,7 +49,12 @@ impl Origins {
         };
         let mut law = node.json();
         law.as_object_mut().map(|keys| keys.remove("per"));
-        Some(Origin { law: law.to_string(), often: often(node, &path), place: node.span.to_string() })
+        let mut law = law.to_string();
+        if let Some((end, _)) = law.char_indices().nth(LONGEST_LAW) {
+            law.truncate(end);
+            law.push('…');
+        }
+        Some(Origin { law, often: often(node, &path), place: node.span.to_string() })
     }
 }
 
@@ -73,7 +81,8 @@ mod tests {
 
     #[test]
     fn values_are_traced_to_their_distributions() {
-        let text = "ensonify: 1\nsonar: {device: gemini-720is, range_m: [1, 9]}\nseabed: {sediment: {choice: [silt, mud]}}
+        let text =
+            "ensonify: 1\nsonar: {device: gemini-720is, range_m: [1, 9]}\nseabed: {sediment: {choice: [silt, mud]}}
 water: {temperature_c: {uniform: [1, 2], per: frame}}\nlooks: [{name: a, water: {ph: {uniform: [7, 8]}}}]
 objects: [{pick: {catalog: starter}, pose: {rest: {burial: {uniform: [0, 1]}}}, count: {int: [0, 2]}}]
 let: {d: {uniform: [1, 2], per: dataset}}\ntrajectory: {orbit: {radius_m: $d, altitude_m: 2}}\n";

@@ -163,12 +163,7 @@ impl Lets {
         Ok(corners)
     }
 
-    fn drawn(
-        &self,
-        address: &Address,
-        corner: Option<&Corner>,
-        corners: &mut Vec<Corner>,
-    ) -> Result<Shared, Error> {
+    fn drawn(&self, address: &Address, corner: Option<&Corner>, corners: &mut Vec<Corner>) -> Result<Shared, Error> {
         let (mut shared, mut left) = (Shared::default(), MAX_NODES);
         let level = match address.level {
             Level::Frame(frame) => Level::Frame(frame),

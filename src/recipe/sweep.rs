@@ -6,11 +6,11 @@
 
 use std::collections::BTreeMap;
 
+use super::Recipe;
 use super::error::{Error, quoted};
 use super::nearest::did_you_mean;
 use super::node::{Key, Kind, Node};
 use super::path::{Step, steps};
-use super::Recipe;
 
 /// Most variants of one recipe.
 pub const MAX_VARIANTS: usize = 1000;

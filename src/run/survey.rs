@@ -85,7 +85,8 @@ fn of_scene(project: &Project, number: usize) -> Result<Survey, SceneError> {
     let begun = Instant::now();
     let world = World::build(&plan.scenes[number], &project.assets)?;
     let building_s = begun.elapsed().as_secs_f64();
-    let said = |dropped: &crate::scene::Dropped| format!("scene {number}: {} is left out: {}", dropped.asset, dropped.reason);
+    let said =
+        |dropped: &crate::scene::Dropped| format!("scene {number}: {} is left out: {}", dropped.asset, dropped.reason);
     let dropped = world.built().dropped.iter().map(said).collect();
     let mut found = Survey { scenes: 1, building_s, dropped, ..Survey::default() };
     let first = number * plan.header.frames as usize;

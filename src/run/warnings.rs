@@ -45,22 +45,31 @@ pub fn of_survey(survey: &Survey) -> Vec<Warning> {
         }
         if 2 * sight.small > sight.in_view {
             let (small, of) = (sight.small, sight.in_view);
-            add("resolution", format!(
-                "`{label}` is smaller than a cell of the sonar in {small} of {of} views; go nearer, or take more beams or range_bins"
-            ));
+            add(
+                "resolution",
+                format!(
+                    "`{label}` is smaller than a cell of the sonar in {small} of {of} views; go nearer, or take more beams or range_bins"
+                ),
+            );
         } else if 2 * sight.faint > sight.in_view {
             let (faint, of) = (sight.faint, sight.in_view);
-            add("resolution", format!(
-                "`{label}` covers fewer than labels.min_pixels in {faint} of {of} views and is not labelled there; go nearer, or \
+            add(
+                "resolution",
+                format!(
+                    "`{label}` covers fewer than labels.min_pixels in {faint} of {of} views and is not labelled there; go nearer, or \
                  lower min_pixels"
-            ));
+                ),
+            );
         }
     }
     if 2 * survey.empty > survey.frames {
         let (empty, of) = (survey.empty, survey.frames);
-        add("in-view", format!(
-            "{empty} of {of} frames that were looked at have no object in view; point trajectory and mount at the objects"
-        ));
+        add(
+            "in-view",
+            format!(
+                "{empty} of {of} frames that were looked at have no object in view; point trajectory and mount at the objects"
+            ),
+        );
     }
     if let Some([height, slant]) = survey.first_groundless.filter(|_| 2 * survey.groundless > survey.frames) {
         let (some, of) = (survey.groundless, survey.frames);
@@ -69,19 +78,25 @@ pub fn of_survey(survey: &Survey) -> Vec<Warning> {
         } else {
             "no ray goes down".to_owned()
         };
-        add("range", format!(
-            "{some} of {of} frames do not reach the bottom within range_m: {why}; fly lower, raise range_m or lower \
+        add(
+            "range",
+            format!(
+                "{some} of {of} frames do not reach the bottom within range_m: {why}; fly lower, raise range_m or lower \
              mount.pitch_deg"
-        ));
+            ),
+        );
     }
     match &survey.dropped[..] {
         [] => {}
         [only] => add("dropped", format!("{only}; let it lie in a larger `within_m`")),
-        [first, more @ ..] => add("dropped", format!(
-            "{first}; and {} more objects of the {} scenes that were looked at: take fewer, or a larger `within_m`",
-            more.len(),
-            survey.scenes
-        )),
+        [first, more @ ..] => add(
+            "dropped",
+            format!(
+                "{first}; and {} more objects of the {} scenes that were looked at: take fewer, or a larger `within_m`",
+                more.len(),
+                survey.scenes
+            ),
+        ),
     }
     warnings
 }
@@ -125,7 +140,7 @@ fn splits(plan: &Plan) -> Vec<Warning> {
             let (some, of) = (missing.len(), all.len());
             let dealt = plan.header.splits.by == SplitBy::Asset;
             let remedy = if dealt { "more scenes or `stratify: label` fill it" } else { "more scenes fill it" };
-            let text = format!("the split {split} has none of {some} of {of} classes ({}); {remedy}", some_of(&missing));
+            let text = format!("the split {split} lacks {some} of {of} classes ({}); {remedy}", some_of(&missing));
             warnings.push(Warning { kind: "splits", text });
         }
     }
@@ -139,7 +154,8 @@ fn balance(plan: &Plan) -> Option<Warning> {
         *counts.entry(&body.label).or_default() += 1;
     }
     let (most, many) = counts.iter().max_by_key(|(_, count)| **count)?;
-    let rare: Vec<&str> = counts.iter().filter(|(_, few)| **few * UNBALANCED < *many).map(|(label, _)| *label).collect();
+    let rare: Vec<&str> =
+        counts.iter().filter(|(_, few)| **few * UNBALANCED < *many).map(|(label, _)| *label).collect();
     (!rare.is_empty()).then(|| {
         let text = format!(
             "`{most}` stands {many} times in the scenes, {} classes less than a tenth of that ({}); change `count`, or give \
