@@ -32,7 +32,7 @@ fn accepted(text: &str, assets: &AssetCache) -> Result<(), recipe::Error> {
             Ok(())
         }
         Err(PlanError::Recipe(error)) => Err(error),
-        Err(error @ PlanError::Catalog(_)) => panic!("a fault without a place: {error}"),
+        Err(error @ (PlanError::Catalog(_) | PlanError::Plan(_))) => panic!("a fault without a place: {error}"),
     }
 }
 

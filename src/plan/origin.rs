@@ -90,7 +90,7 @@ let: {d: {uniform: [1, 2], per: dataset}}\ntrajectory: {orbit: {radius_m: $d, al
         let origins = Origins::of(&recipe, 0, Path::new(".")).unwrap();
         for (path, law, often, place) in [
             ("seabed.sediment", r#"{"choice":["silt","mud"]}"#, "once a scene", "a.yaml:3:20"),
-            ("looks.a.water.ph", r#"{"uniform":[7,8]}"#, "once a scene", "a.yaml:5:34"),
+            ("looks.a.water.ph", r#"{"uniform":[7,8]}"#, "once a scene", "a.yaml:5:31"),
             ("looks.a.water.temperature_c", r#"{"uniform":[1,2]}"#, "each frame", "a.yaml:4:24"),
             ("objects[0]#12.pose.rest.burial", r#"{"uniform":[0,1]}"#, "each instance", "a.yaml:6:60"),
             ("objects[0].count", r#"{"int":[0,2]}"#, "once a scene", "a.yaml:6:88"),

@@ -119,13 +119,14 @@ impl Verifier<'_> {
         let glb = spec.environment.as_ref().and_then(|environment| environment.glb.as_deref());
         for (section, file) in seabed.into_iter().chain(glb.map(|file| ("environment", file))) {
             let key = format!("{section}/{file}");
-            if !used.contains_key(&key) {
-                let place = format!("scenes[{number}].spec.{section}");
-                let found = AssetLock::of_file(self.folder, file)
-                    .map_err(|error| self.unreadable(&place, &self.folder.join(file), &error))?;
-                let lock = self.held(plan, &key, found)?;
-                used.insert(key, lock);
+            if used.contains_key(&key) {
+                continue;
             }
+            let place = format!("scenes[{number}].spec.{section}");
+            let found = AssetLock::of_file(self.folder, file)
+                .map_err(|error| self.unreadable(&place, &self.folder.join(file), &error))?;
+            let lock = self.held(plan, &key, found)?;
+            used.insert(key, lock);
         }
         Ok(())
     }
