@@ -23,8 +23,10 @@ enum Engine {
 ///
 /// The script can be started again after whatever happened: it goes on where it stopped.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  ensonify job slurm survey.yaml --shards 16 --cpus 8 > survey.sh && sbatch survey.sh\n  \
-    ensonify job k8s survey.yaml --shards 16 --image registry/ensonify:0.1 | kubectl apply -f -")]
+#[command(
+    after_help = "Examples:\n  ensonify job slurm survey.yaml --shards 16 --cpus 8 > survey.sh && sbatch survey.sh\n  \
+    ensonify job k8s survey.yaml --shards 16 --image registry/ensonify:0.1 | kubectl apply -f -"
+)]
 pub struct Job {
     /// The engine
     engine: Engine,
@@ -69,16 +71,23 @@ impl Job {
             Engine::Snakemake => (include_str!("../../templates/jobs/Snakefile"), json),
             Engine::Parallel => (include_str!("../../templates/jobs/parallel.sh"), shell),
         };
-        let recipe = self.recipe.recipe.to_string_lossy();
         // Snakemake's commands are text in a text: the shell's quotes there, its own braces doubled.
         let word = |text: &str| match self.engine {
-            Engine::Snakemake => shell(text).replace('{', "{{").replace('}', "}}").replace('\\', "\\\\").replace('"', "\\\""),
+            Engine::Snakemake => {
+                shell(text).replace('{', "{{").replace('}', "}}").replace('\\', "\\\\").replace('"', "\\\"")
+            }
             Engine::Slurm | Engine::K8s | Engine::Parallel => quote(text),
         };
         let separator = if self.engine == Engine::K8s { ", " } else { " " };
+        let recipe =
+            [self.recipe.plan.as_ref().map(|_| "--plan".to_owned()), Some(word(&self.recipe.file().to_string_lossy()))];
+        let recipe = recipe.into_iter().flatten().collect::<Vec<_>>().join(separator);
         let mut more: Vec<String> = self.recipe.set.iter().flat_map(|set| ["--set".to_owned(), word(set)]).collect();
         if self.recipe.allow_outside {
             more.push("--allow-outside".to_owned());
+        }
+        if let Some(base) = &self.recipe.base {
+            more.extend(["--base".to_owned(), word(&base.to_string_lossy())]);
         }
         let sets: String = more.iter().map(|word| format!("{separator}{word}")).collect();
         let values = [
@@ -93,7 +102,7 @@ impl Job {
             ("time", self.time.clone()),
             ("image", json(&self.image)),
             ("claim", json(&self.claim)),
-            ("recipe", word(&recipe)),
+            ("recipe", recipe),
             ("dir", quote(&folder)),
             ("joblog", quote(&format!("{folder}.joblog"))),
             ("sets", sets),
@@ -123,11 +132,8 @@ fn fill(template: &str, values: &[(&str, String)]) -> String {
 
 /// A name that every engine takes: lower case, digits and hyphens.
 fn job_name(name: &str) -> String {
-    let plain: String = name
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' })
-        .take(50)
-        .collect();
+    let plain: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' }).take(50).collect();
     let plain = plain.trim_matches('-');
     if plain.is_empty() { "ensonify".to_owned() } else { plain.to_owned() }
 }
@@ -135,7 +141,11 @@ fn job_name(name: &str) -> String {
 /// A word of a shell's command.
 fn shell(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:,@%+".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', r"'\''")) }
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
 }
 
 /// A text of JSON, YAML or Python.

@@ -8,18 +8,19 @@ use clap::Args;
 
 use super::progress::Progress;
 use super::shards::ShardArgs;
-use super::{Code, RecipeArgs, signals};
+use super::{Code, RecipeArgs, processors, signals};
 use crate::run::{Ended, Options, Project, RunError, finish_facts, run};
 use crate::store::{Identity, Store, Summary};
 
-/// Renders a recipe into a dataset
+/// Renders a recipe or a plan into a dataset
 ///
-/// The recipe is checked whole before anything is written. Frames are written one by one, each complete or not at all:
+/// It is checked whole before anything is written. Frames are written one by one, each complete or not at all:
 /// after Ctrl-C, a crash or a power cut the same command goes on where it stopped. The bytes do not depend on --jobs, on
 /// interruptions or on the machine.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  ensonify run recipes/quickstart.yaml\n  \
-    ensonify run survey.yaml -o /data/survey --jobs 8\n  ensonify run survey.yaml --set seed=8 -o out/survey-8")]
+    ensonify run survey.yaml -o /data/survey --jobs 8\n  ensonify run survey.yaml --set seed=8 -o out/survey-8\n  \
+    ensonify run --plan survey/plan.json -o out/again")]
 pub struct Run {
     #[command(flatten)]
     recipe: RecipeArgs,
@@ -60,7 +61,7 @@ impl Run {
             plan_hash: &project.plan_hash,
             frames: project.plan.jobs.len() as u64,
             frames_a_scene: header.frames,
-            recipe_text: &project.recipe_text,
+            recipe_text: project.recipe_text.as_deref(),
             sets: &project.plan.sets,
             includes: &project.includes,
             plan_json: &project.plan_json,
@@ -146,8 +147,4 @@ pub(super) fn report_summary(name: &str, root: &Path, summary: &Summary) {
     say!("  card         {folder}/README.md");
     say!("  dataset hash {}", summary.dataset_hash);
     say!("  {:.1} MB in {} files", summary.bytes as f64 / 1e6, summary.files);
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }

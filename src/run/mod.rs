@@ -5,6 +5,10 @@
 mod files;
 mod project;
 pub mod render;
+mod rerender;
+mod survey;
+mod trial;
+pub mod warnings;
 mod world;
 
 use std::ops::Range;
@@ -14,7 +18,10 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Mutex, PoisonError};
 
 pub use files::finish_facts;
-pub use project::{Given, Project};
+pub use project::{Given, GivenPlan, Project};
+pub use rerender::{Otherwise, rerender};
+pub use survey::{InView, Place, Sight, Survey, survey};
+pub use trial::{Trial, trial};
 pub use world::{World, Worlds};
 
 use crate::export::{Extent, FinishError, finish};
@@ -148,6 +155,13 @@ pub fn run(
     }
 }
 
+/// `wanted` of `total` numbers from 0, evenly spread, each once.
+#[must_use]
+pub fn spread(total: u64, wanted: u64) -> Vec<u64> {
+    let count = wanted.min(total);
+    (0..count).map(|i| (2 * i + 1) * total / (2 * count)).collect()
+}
+
 /// What the threads of a run share.
 struct Shift<'a> {
     project: &'a Project,
@@ -228,5 +242,16 @@ impl Shift<'_> {
         self.stop.load(Ordering::Relaxed)
             || self.broken.lock().unwrap_or_else(PoisonError::into_inner).is_some()
             || self.failed.lock().unwrap_or_else(PoisonError::into_inner).len() as u64 >= self.most_failures
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn frames_are_taken_evenly_and_once() {
+        assert_eq!(spread(200, 4), [25, 75, 125, 175]);
+        assert_eq!(spread(3, 10), [0, 1, 2]);
     }
 }

@@ -58,11 +58,7 @@ impl Writer {
     }
 
     /// As [`Self::write_with`], but for the folder.
-    fn put(
-        &self,
-        path: &str,
-        fill: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> Result<FileRecord, StoreError> {
+    fn put(&self, path: &str, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<FileRecord, StoreError> {
         let target = self.root.join(path);
         let temporary = self.root.join(format!("{path}.{}.{TEMPORARY}", self.tag));
         let file = create(&temporary)?;

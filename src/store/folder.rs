@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard};
 
-use super::atomic::Writer;
+use super::atomic::{Writer, sha256};
 use super::dataset::Dataset;
 use super::index::Index;
 use super::journal::Journal;
@@ -24,8 +24,8 @@ pub struct Identity<'a> {
     pub frames: u64,
     /// Frames of each scene.
     pub frames_a_scene: u64,
-    /// The recipe as given.
-    pub recipe_text: &'a str,
+    /// The recipe as given; none where a plan was given instead.
+    pub recipe_text: Option<&'a str>,
     /// Changes that were made to it, `path=value`.
     pub sets: &'a [String],
     /// Files that it includes.
@@ -72,7 +72,7 @@ impl Store {
     /// if another process writes the same shard. The folder is then as it was before, but for `shards/`.
     pub fn open(root: &Path, identity: &Identity<'_>, shard: Shard) -> Result<Self, StoreError> {
         claim::refuse_foreign(root)?;
-        let ours = Manifest::begun(identity);
+        let mut ours = Manifest::begun(identity);
         check_is_ours(root, &ours, identity)?;
         let tag = format!("{:05}-of-{:05}", shard.index, shard.count);
         claim::probe(root, &tag)?;
@@ -80,10 +80,20 @@ impl Store {
         let writer = Writer::new(root, &tag);
         // Again, as another process may have begun and ended since.
         let there = check_is_ours(root, &ours, identity)?;
+        let mut recipe = identity.recipe_text.map(|text| text.as_bytes().to_vec());
+        if let (None, Some(there)) = (&recipe, &there) {
+            // Begun from a recipe that gave this very plan: it stays what the dataset is made from.
+            recipe = fs::read(root.join(layout::RECIPE)).ok().filter(|text| there.recipe_sha256 == Some(sha256(text)));
+            if recipe.is_some() {
+                (ours.recipe_sha256, ours.includes) = (there.recipe_sha256.clone(), there.includes.clone());
+            }
+        }
         if there.is_none_or(|there| there.begun_again() != ours) {
             writer.write(layout::MANIFEST, ours.text().as_bytes())?;
         }
-        writer.keep(layout::RECIPE, identity.recipe_text.as_bytes())?;
+        if let Some(recipe) = recipe {
+            writer.keep(layout::RECIPE, &recipe)?;
+        }
         writer.keep(layout::PLAN, identity.plan_json)?;
         writer.keep(layout::FACTS, identity.facts)?;
         let journal = Journal::open(&writer, shard)?;

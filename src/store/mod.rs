@@ -29,6 +29,7 @@ mod shard;
 mod status;
 mod verify;
 
+pub(crate) use atomic::sha256 as digest;
 pub use compare::{Comparison, FrameDifference, compare};
 pub use dataset::Dataset;
 pub use error::StoreError;

@@ -17,7 +17,7 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     plan_hash: "0123abcd",
     frames: FRAMES,
     frames_a_scene: 2,
-    recipe_text: "name: sample\n",
+    recipe_text: Some("name: sample\n"),
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",

@@ -55,7 +55,7 @@ fn frames_from_several_threads_are_there_when_the_folder_is_opened_again() {
     assert_eq!((status.frames_total, status.finished), (FRAMES, false));
     let labels = BTreeMap::from([("tire".to_owned(), 3), ("anchor".to_owned(), 1)]);
     assert_eq!(status.annotations[&crate::label::View::Fan], labels);
-    assert_eq!(fs::read_to_string(root.join(layout::RECIPE)).unwrap(), IDENTITY.recipe_text);
+    assert_eq!(fs::read_to_string(root.join(layout::RECIPE)).ok().as_deref(), IDENTITY.recipe_text);
     assert_eq!(fs::read(root.join(layout::PLAN)).unwrap(), IDENTITY.plan_json);
 }
 
@@ -182,9 +182,9 @@ fn shards_write_journals_of_their_own_and_see_each_other() {
 fn a_recipe_with_other_comments_takes_the_place_of_the_old() {
     let folder = tempfile::tempdir().unwrap();
     commit(&Store::open(folder.path(), &IDENTITY, Shard::WHOLE).unwrap(), 0);
-    let identity = Identity { recipe_text: "# better\nname: sample\n", ..IDENTITY };
+    let identity = Identity { recipe_text: Some("# better\nname: sample\n"), ..IDENTITY };
     assert_eq!(Store::open(folder.path(), &identity, Shard::WHOLE).unwrap().missing(), [1, 2, 3, 4, 5]);
-    assert_eq!(fs::read_to_string(folder.path().join(layout::RECIPE)).unwrap(), identity.recipe_text);
+    assert_eq!(fs::read_to_string(folder.path().join(layout::RECIPE)).ok().as_deref(), identity.recipe_text);
 }
 
 #[test]
@@ -217,4 +217,17 @@ fn a_frame_outside_the_plan_is_refused() {
     let (record, files) = frame(FRAMES);
     assert!(matches!(store.commit(record, &files), Err(StoreError::Record { id: FRAMES, .. })));
     assert!(!folder.path().join("images").exists());
+}
+
+#[test]
+fn a_plan_alone_leaves_the_recipe_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let alone = Identity { recipe_text: None, ..IDENTITY };
+    commit(&Store::open(folder.path(), &alone, Shard::WHOLE).unwrap(), 0);
+    assert!(!folder.path().join(layout::RECIPE).exists());
+    for identity in [&IDENTITY, &alone] {
+        let store = Store::open(folder.path(), identity, Shard::WHOLE).unwrap();
+        assert!(folder.path().join(layout::RECIPE).is_file());
+        assert_eq!(store.manifest.recipe_sha256, Manifest::begun(&IDENTITY).recipe_sha256);
+    }
 }
