@@ -166,7 +166,7 @@ impl Shift<'_> {
                 self.watch.note(&what);
             }
         }
-        let frame = renderer.render(&plan.header, job, &world);
+        let frame = renderer.render(&plan.header, job, &world).map_err(|error| FrameFault::Frame(error.to_string()))?;
         let (record, new_files) = files::of_frame(plan, job, &world, frame);
         self.store.commit(record, &new_files).map_err(FrameFault::Store)
     }

@@ -103,6 +103,7 @@ fn the_shape_of_no_type_stays_unseen() {
         shape_of::<SeabedSpec>(),
         shape_of::<EnvironmentSpec>(),
         shape_of::<Multipath>(),
+        shape_of::<Vehicle>(),
         shape_of::<Trajectory>(),
         shape_of::<ImageModel>(),
         shape_of::<ObjectEntry>(),

@@ -1,0 +1,124 @@
+//! Keeping clear: a pose that is too near the bottom, an object or a structure is moved to where there is room.
+//!
+//! Up first, the shortest way that helps. What stands higher than [`MOST_RISE_M`] over the vehicle, such as a quay or a
+//! pile, is left sideways where that is nearer. Along a path the vehicle begins to climb ahead of what it must rise over.
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::trajectory::{Leg, Voyage};
+use crate::math::Pose;
+use crate::math::real::{cos, sin};
+
+/// Highest rise over a thing before a way round it is looked for, metres.
+const MOST_RISE_M: f64 = 4.0;
+/// Climb of a vehicle that rises over something ahead, metres up for each metre of way at its speed: 30°.
+const CLIMB: f64 = 0.577;
+/// Way between the places ahead and behind that are looked at, metres.
+const AHEAD_STEP_M: f64 = 0.5;
+/// Shortest step up that is tried, metres; steps are as long as what is missing.
+const LEAST_STEP_M: f64 = 0.05;
+/// Halvings of the last step.
+const HALVINGS: u32 = 6;
+/// Steps up, enough for twenty metres.
+const MOST_STEPS: u32 = 400;
+/// Way to the side that is tried at most, and its steps, metres.
+const ASIDE_M: [f64; 2] = [10.0, 0.25];
+/// Directions to the side.
+const DIRECTIONS: u32 = 16;
+/// Missing room that is none, metres.
+const NOTHING_M: f64 = 1e-9;
+
+/// How far a pose must rise before there is room, metres; `None` where `most` over the bottom do not suffice.
+fn rise(pose: &Pose, voyage: &Voyage, most: f64) -> Option<f64> {
+    let lifted = |up: f64| Pose { position: pose.position + DVec3::Z * up, ..*pose };
+    let from_bottom = over_bottom(pose, voyage);
+    let mut up = from_bottom;
+    let mut missing = shortage(&lifted(up), voyage);
+    if missing <= NOTHING_M {
+        return Some(up);
+    }
+    let mut below = up;
+    for _ in 0..MOST_STEPS {
+        below = up;
+        up += missing.max(LEAST_STEP_M);
+        if up > from_bottom + most {
+            return None;
+        }
+        missing = shortage(&lifted(up), voyage);
+        if missing <= NOTHING_M {
+            break;
+        }
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (below + up);
+        if shortage(&lifted(middle), voyage) <= NOTHING_M { up = middle } else { below = middle }
+    }
+    Some(up)
+}
+
+/// The origins of the vehicle and of its sonar, which may be one.
+fn origins(pose: &Pose, voyage: &Voyage) -> [DVec3; 2] {
+    [pose.position, pose.apply(voyage.mount.position)]
+}
+
+/// How far both origins must rise to have their room over the bottom, metres.
+fn over_bottom(pose: &Pose, voyage: &Voyage) -> f64 {
+    let missing = |point: DVec3| voyage.around.floor(point) + voyage.vehicle.clear_m - point.z;
+    origins(pose, voyage).map(missing).into_iter().fold(0.0, f64::max)
+}
+
+/// Room that the vehicle or its sonar lacks all round, metres.
+fn shortage(pose: &Pose, voyage: &Voyage) -> f64 {
+    // Not even without any room may it be in something, or touch it.
+    let room = voyage.vehicle.clear_m.max(1e-3);
+    let [vehicle, sonar] = origins(pose, voyage);
+    let missing = room - voyage.around.gap(vehicle, room);
+    if sonar == vehicle { missing } else { missing.max(room - voyage.around.gap(sonar, room)) }
+}
+
+/// How far a vehicle on a path rises over what it passes, metres: where it stands as far as it must, before and after
+/// that no steeper than [`CLIMB`]. The places that are looked at are fixed on the path, so that neighbouring frames agree.
+pub(super) fn rise_along(leg: &Leg, voyage: &Voyage) -> f64 {
+    let mut risen = rise(&(leg.at)(leg.share), voyage, MOST_RISE_M).unwrap_or(0.0);
+    let way = leg.speed_m_s * leg.duration_s;
+    // Also refuses what is no number.
+    if !(way > 0.0 && way.is_finite()) {
+        return risen;
+    }
+    let here = leg.share * way / AHEAD_STEP_M;
+    let reach = MOST_RISE_M / CLIMB / AHEAD_STEP_M + 1.0;
+    let (first, last) = ((here - reach).max(0.0).ceil() as u64, (here + reach).min(way / AHEAD_STEP_M).floor() as u64);
+    for place in first..=last {
+        // A place speaks for the way to its neighbours.
+        let between = ((place as f64 - here).abs() - 1.0).max(0.0) * AHEAD_STEP_M;
+        if MOST_RISE_M - CLIMB * between <= risen {
+            continue;
+        }
+        let there = (leg.at)(place as f64 * AHEAD_STEP_M / way);
+        if let Some(needed) = rise(&there, voyage, MOST_RISE_M) {
+            risen = risen.max(needed - CLIMB * between);
+        }
+    }
+    risen
+}
+
+/// The pose where there is room about it: itself, higher, or aside.
+pub(super) fn kept(pose: Pose, voyage: &Voyage) -> Pose {
+    let moved = |by: DVec3| Pose { position: pose.position + by, ..pose };
+    if let Some(up) = rise(&pose, voyage, MOST_RISE_M) {
+        return moved(DVec3::Z * up);
+    }
+    let up = DVec3::Z * over_bottom(&pose, voyage);
+    let rings = (1..).map(|ring| f64::from(ring) * ASIDE_M[1]).take_while(|&radius| radius <= ASIDE_M[0]);
+    let aside = rings.flat_map(|radius| {
+        (0..DIRECTIONS).map(move |k| {
+            let angle = TAU * f64::from(k) / f64::from(DIRECTIONS);
+            DVec3::new(cos(angle), sin(angle), 0.0) * radius
+        })
+    });
+    let has_room = |pose: &Pose| over_bottom(pose, voyage).max(shortage(pose, voyage)) <= NOTHING_M;
+    let free = aside.map(|aside| moved(up + aside)).find(has_room);
+    free.unwrap_or_else(|| moved(DVec3::Z * rise(&pose, voyage, f64::INFINITY).unwrap_or(0.0)))
+}
