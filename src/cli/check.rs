@@ -11,6 +11,8 @@ use crate::physics::absorption::francois_garrison;
 use crate::plan::Plan;
 use crate::run::World;
 
+/// Shortest way that a frame is said to be moved, metres.
+const NOTICEABLE_M: f64 = 1e-3;
 /// Most notes on acoustics.
 const MOST_NOTES: usize = 8;
 
@@ -59,8 +61,28 @@ impl Check {
         for dropped in &world.built().dropped {
             eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
         }
+        if let Some(note) = moved_note(plan, &world)? {
+            eprintln!("note: {note}");
+        }
         Ok(Code::Done)
     }
+}
+
+/// How many frames of the first scene are not where their trajectory has them.
+fn moved_note(plan: &Plan, world: &World) -> anyhow::Result<Option<String>> {
+    let (mut moved, mut farthest) = (0, 0.0f64);
+    for job in plan.jobs.iter().take(plan.header.frames as usize) {
+        let station = world.station(&plan.header, job)?;
+        moved += u32::from(station.moved_m > NOTICEABLE_M);
+        farthest = farthest.max(station.moved_m);
+    }
+    Ok((moved > 0).then(|| {
+        format!(
+            "scene 0: {moved} of {} frames are moved, by up to {farthest:.2} m, to keep clear of bottom, objects and structures \
+             (`vehicle: {{clear_m: …}}`; each frame's way is `moved_m` in frames.csv)",
+            plan.header.frames
+        )
+    }))
 }
 
 /// What an acoustician would say of a plan's sonars and waters; each thing once.

@@ -10,7 +10,19 @@ use crate::store::{FrameRecord, layout};
 
 /// Columns that every dataset has.
 const FIXED: [&str; 13] = [
-    "id", "name", "split", "scene", "frame", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg", "time_s", "moved_m",
+    "id",
+    "name",
+    "split",
+    "scene",
+    "frame",
+    "x_m",
+    "y_m",
+    "z_m",
+    "yaw_deg",
+    "pitch_deg",
+    "roll_deg",
+    "time_s",
+    "moved_m",
 ];
 
 /// Where the column `variant` goes in the tables of swept recipes: behind the split.

@@ -61,7 +61,8 @@ impl Track {
             return Err(refuse(format!("has {} MB; take a file of at most {} MB", size >> 20, MAX_BYTES >> 20)));
         }
         let bytes = std::fs::read(path).map_err(unreadable)?;
-        let text = String::from_utf8(bytes).map_err(|_| refuse("is no text; take a CSV file or the TUM format".into()))?;
+        let text =
+            String::from_utf8(bytes).map_err(|_| refuse("is no text; take a CSV file or the TUM format".into()))?;
         Self::parse(&text).map_err(refuse)
     }
 
@@ -101,15 +102,20 @@ impl Track {
         Pose { position, rotation: self.turns[after - 1].towards(self.turns[after], share).rotation() }
     }
 
-    fn parse(text: &str) -> Result<Self, String> {
+    pub(super) fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim_start_matches('\u{feff}');
         let lines = (1..).zip(text.lines());
-        let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#')).peekable();
+        let mut lines =
+            lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#')).peekable();
         let Some(&(_, first)) = lines.peek() else {
             return Err("has no rows; write one line for each pose".to_owned());
         };
         let mut track = Self { times: Vec::new(), positions: Vec::new(), turns: Vec::new() };
-        let columns = if first.contains(',') { Some(Columns::of(first, lines.next().map_or(1, |(line, _)| line))?) } else { None };
+        let columns = if first.contains(',') {
+            Some(Columns::of(first, lines.next().map_or(1, |(line, _)| line))?)
+        } else {
+            None
+        };
         for (number, line) in lines {
             let row = match &columns {
                 Some(columns) => columns.row(line),
@@ -117,7 +123,9 @@ impl Track {
             };
             let (time, position, turn) = row.map_err(|problem| format!("line {number}: {problem}"))?;
             if let Some(before) = track.times.last().filter(|&&before| time <= before) {
-                return Err(format!("line {number}: time {time} does not come after {before}; sort the rows by time, each time once"));
+                return Err(format!(
+                    "line {number}: time {time} does not come after {before}; sort the rows by time, each time once"
+                ));
             }
             track.times.push(time);
             track.positions.push(position);
@@ -170,7 +178,11 @@ impl Columns {
     fn row(&self, line: &str) -> Result<Row, String> {
         let cells: Vec<&str> = line.split(',').map(str::trim).collect();
         if cells.len() != self.count {
-            return Err(format!("{} values under {} columns; give every row as many as the header", cells.len(), self.count));
+            return Err(format!(
+                "{} values under {} columns; give every row as many as the header",
+                cells.len(),
+                self.count
+            ));
         }
         let at = |column: usize| number(cells[column]);
         let [x, y, z] = self.position;
@@ -257,7 +269,8 @@ mod tests {
     const ANGLES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [100.0, -20.0, 5.0], [-170.0, 30.0, -40.0], [175.0, 10.0, 60.0]];
 
     fn table() -> String {
-        let row = |(k, [yaw, pitch, roll]): (usize, &[f64; 3])| format!("{}.5, {k}, -1, 2.5, {yaw}, {pitch}, {roll}\n", k);
+        let row =
+            |(k, [yaw, pitch, roll]): (usize, &[f64; 3])| format!("{}.5, {k}, -1, 2.5, {yaw}, {pitch}, {roll}\n", k);
         let rows: String = ANGLES.iter().enumerate().map(row).collect();
         format!("# a comment\ntime_s, x, y_m, z, yaw_deg, pitch_deg, roll_deg\n{rows}")
     }
@@ -284,7 +297,8 @@ mod tests {
         let tum = Track::parse(&format!("# timestamp tx ty tz qx qy qz qw\n{}", quaternions("  "))).expect("TUM");
         let csv = Track::parse(&format!("time_s,x,y,z,qx,qy,qz,qw\n{}", quaternions(","))).expect("a table");
         for (k, [yaw, pitch, roll]) in ANGLES.into_iter().enumerate() {
-            let expected = Pose::from_angles(DVec3::new(k as f64, -1.0, 2.5), radians(yaw), radians(pitch), radians(roll));
+            let expected =
+                Pose::from_angles(DVec3::new(k as f64, -1.0, 2.5), radians(yaw), radians(pitch), radians(roll));
             let (pose, time) = track.row(k);
             assert_eq!(time, k as f64 + 0.5);
             same(&pose, &expected, 1e-12);
@@ -298,7 +312,8 @@ mod tests {
 
     #[test]
     fn between_rows_it_turns_evenly_and_the_short_way() {
-        let track = Track::parse("time_s,x,y,z,yaw_deg,pitch_deg,roll_deg\n0,0,0,0,170,0,0\n2,4,0,0,-150,0,0\n").expect("two rows");
+        let track = Track::parse("time_s,x,y,z,yaw_deg,pitch_deg,roll_deg\n0,0,0,0,170,0,0\n2,4,0,0,-150,0,0\n")
+            .expect("two rows");
         for k in 0..=8 {
             let time = f64::from(k) * 0.25;
             let expected = Pose::from_angles(DVec3::new(2.0 * time, 0.0, 0.0), radians(170.0 + 20.0 * time), 0.0, 0.0);

@@ -71,7 +71,8 @@ impl Spline {
         let step = self.times.partition_point(|&time| time <= wanted).saturating_sub(1).min(last);
         let taken = self.times[step + 1] - self.times[step];
         let within = if taken > 0.0 { (wanted - self.times[step]) / taken } else { 0.0 };
-        let (position, along) = self.curve(step / CHORDS, (step % CHORDS) as f64 / CHORDS as f64 + within / CHORDS as f64);
+        let (position, along) =
+            self.curve(step / CHORDS, (step % CHORDS) as f64 / CHORDS as f64 + within / CHORDS as f64);
         let yaw = match self.even[step] {
             true => self.yaws[step] + within * turn_between(self.yaws[step], self.yaws[step + 1]),
             false => atan2(along.y, along.x),
@@ -148,11 +149,18 @@ mod tests {
 
     #[test]
     fn straight_up_keeps_the_heading() {
-        let points = [[0.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 3.0, 6.0]].map(DVec3::from_array).to_vec();
-        let spline = Spline::new(points, limits(1.0, 1.0));
+        let up = |points: &[[f64; 3]]| {
+            let points = points.iter().map(|&point| DVec3::from_array(point)).collect();
+            Spline::new(points, limits(1.0, 1.0))
+        };
+        let lift = up(&[[1.0, 2.0, 0.0], [1.0, 2.0, 6.0]]);
+        let climb = up(&[[0.0, 0.0, 0.0], [0.0, 3.0, 1.0], [0.0, 3.5, 9.0], [0.0, 3.5, 12.0]]);
         for k in 0..=100 {
-            let (_, yaw) = spline.at(f64::from(k) / 100.0);
-            assert!((turn_between(yaw, PI / 2.0)).abs() < 1e-9 || (turn_between(yaw, -PI / 2.0)).abs() < 1e-9, "{yaw}");
+            let share = f64::from(k) / 100.0;
+            assert_eq!(lift.at(share).1, 0.0);
+            assert!(climb.at(share).1.is_finite());
         }
+        assert!((lift.duration() - 6.0).abs() < 1e-9);
+        assert!((lift.at(0.25).0 - DVec3::new(1.0, 2.0, 1.5)).length() < 0.01);
     }
 }
