@@ -74,7 +74,7 @@ output: {{fan_height_px: 64}}
 }
 
 const SCENE: &str = "seabed: {extent_m: 24, cell_m: 0.2, shape: {fractal: {rms_m: 0.15, shortest_m: 0.6}}}
-objects: [{pick: {catalog: starter, uid: [tire, barrel, anchor]}, count: 4, pose: {rest: {within_m: 3}}}]
+objects: [{pick: {catalog: starter, uid: [tire, oil-drum, anchor]}, count: 4, pose: {rest: {within_m: 3}}}]
 vehicle: {attitude_noise: {roll_deg: 2, pitch_deg: 1, yaw_deg: 1, heave_m: 0.03, period_s: 3}}";
 
 fn load(desk: &Desk, text: &str) -> Project {
@@ -172,7 +172,7 @@ fn under_a_deck_it_stays_under_the_deck() {
 fn records_tell_time_and_what_was_moved_and_check_counts_it() {
     let desk = Desk::new();
     let objects = "seabed: {shape: flat, extent_m: 20, cell_m: 0.5}
-objects: [{pick: {catalog: starter, uid: barrel}, pose: {at: {position_m: [0, 0, 0]}}}]";
+objects: [{pick: {catalog: starter, uid: oil-drum}, pose: {at: {position_m: [0, 0, 0]}}}]";
     let line = "{waypoints: {points_m: [[-5, 0, 0.5], [5, 0, 0.5]], speed_m_s: 2}}";
     desk.file("path.yaml", &recipe(line, objects));
     let check = desk.run(&["check", "path.yaml"]);
