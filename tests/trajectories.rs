@@ -2,62 +2,50 @@
 
 mod support;
 
-use std::collections::BTreeMap;
 use std::time::Instant;
 
-use ensonify::recipe::{DEFAULTS, Origin, Outside, parse};
+use ensonify::plan::schema;
+use ensonify::recipe::Outside;
 use ensonify::run::render::Renderer;
 use ensonify::run::{Given, Project, World};
 use ensonify::vehicle::{Surroundings as _, Trajectory};
 use support::cli::{Desk, messages};
 
-/// A recipe's trajectory for every kind. Whoever adds a kind is told here by the compiler, and by the test below.
-fn example(kind: &Trajectory) -> &'static str {
-    match kind {
-        Trajectory::Orbit(_) => "{orbit: {radius_m: 4, altitude_m: 1.5}}",
-        Trajectory::Lawnmower(_) => "{lawnmower: {length_m: 8, spacing_m: 3, lines: 2, altitude_m: 1.5}}",
-        Trajectory::Waypoints(_) => "{waypoints: {points_m: [[-6, -1, 1.5], [0, -2, 1], [5, 1, 1.5], [0, 4, 2]]}}",
-        Trajectory::Terrain(_) => "{terrain: {altitude_m: 1.5, length_m: 9, heading_deg: 30}}",
-        Trajectory::Approach(_) => "{approach: {from_m: 6, to_m: 2, altitude_m: 1.2, course_deg: 70}}",
-        Trajectory::Views(_) => "{views: {range_m: 3, altitude_m: 1.2}}",
-        Trajectory::Hover(_) => {
-            "{hover: {position_m: [-5, 0, 1.5], drift: {horizontal_m: 0.3, vertical_m: 0.1, yaw_deg: 5}}}"
-        }
-        Trajectory::Poses(_) => "{poses: {file: track.txt}}",
-    }
+/// One of every kind, as a recipe has it.
+const EXAMPLES: [&str; 8] = [
+    "{orbit: {radius_m: 4, altitude_m: 1.5}}",
+    "{lawnmower: {length_m: 8, spacing_m: 3, lines: 2, altitude_m: 1.5}}",
+    "{waypoints: {points_m: [[-6, -1, 1.5], [0, -2, 1], [5, 1, 1.5], [0, 4, 2]]}}",
+    "{terrain: {altitude_m: 1.5, length_m: 9, heading_deg: 30}}",
+    "{approach: {from_m: 6, to_m: 2, altitude_m: 1.2, course_deg: 70}}",
+    "{views: {range_m: 3, altitude_m: 1.2}}",
+    "{hover: {position_m: [-5, 0, 1.5], drift: {horizontal_m: 0.3, vertical_m: 0.1, yaw_deg: 5}}}",
+    "{poses: {file: track.txt}}",
+];
+
+/// Where a kind has its example. Whoever adds a kind is asked for one here, by the compiler.
+fn example_of(trajectory: &Trajectory) -> &'static str {
+    EXAMPLES[match trajectory {
+        Trajectory::Orbit(_) => 0,
+        Trajectory::Lawnmower(_) => 1,
+        Trajectory::Waypoints(_) => 2,
+        Trajectory::Terrain(_) => 3,
+        Trajectory::Approach(_) => 4,
+        Trajectory::Views(_) => 5,
+        Trajectory::Hover(_) => 6,
+        Trajectory::Poses(_) => 7,
+    }]
+}
+
+/// The kinds that recipes may name, as the type that reads them tells.
+fn kinds() -> Vec<String> {
+    let schema: serde_json::Value = serde_json::from_str(&schema()).expect("JSON");
+    let words = &schema["properties"]["trajectory"]["anyOf"][0]["anyOf"][0]["enum"];
+    serde_json::from_value(words.clone()).expect("words")
 }
 
 const TRACK: &str =
     "# timestamp tx ty tz qx qy qz qw\n10 -5 0 1.5 0 0 0 1\n12 -3 -2 1.2 0 0 0.2588190451 0.9659258263\n";
-
-/// The kinds that a recipe may name, as the defaults list them, and an example of each.
-fn kinds() -> BTreeMap<String, &'static str> {
-    let tree = parse("defaults", DEFAULTS, Origin::BuiltIn).expect("YAML");
-    let kinds = tree.get("kinds").and_then(|kinds| kinds.get("trajectory")).expect("kinds of trajectory");
-    // What a kind needs beside its defaults; values are of no matter here.
-    let needed = "radius_m: 1, altitude_m: 1, length_m: 1, spacing_m: 1, points_m: [[0, 0, 1], [1, 0, 1]], \
-                  position_m: [0, 0, 1], file: track.txt";
-    let needed = parse("needed", &format!("{{{needed}}}"), Origin::BuiltIn).expect("YAML").json();
-    let read = |kind: &str, usual: serde_json::Value| -> Trajectory {
-        let mut known = serde_json::Map::new();
-        let all = needed.as_object().expect("a map").iter().chain(usual.as_object().expect("a map"));
-        for (key, value) in all {
-            let mut tried = known.clone();
-            // Distributions stand for numbers, points in plan for points.
-            let value = if value.is_object() && key != "drift" { serde_json::json!(1) } else { value.clone() };
-            tried.insert(key.clone(), value);
-            let whole = serde_json::json!({ kind: tried });
-            match serde_json::from_value::<Trajectory>(whole) {
-                Err(error) if error.to_string().contains("unknown field") => {}
-                Err(error) if error.to_string().contains("array of length 2") => {}
-                _ => known = tried,
-            }
-        }
-        serde_json::from_value(serde_json::json!({ kind: known })).unwrap_or_else(|error| panic!("{kind}: {error}"))
-    };
-    let entries = kinds.entries().iter();
-    entries.map(|(key, usual)| (key.text.clone(), example(&read(&key.text, usual.json())))).collect()
-}
 
 fn recipe(trajectory: &str, sections: &str) -> String {
     format!(
@@ -87,12 +75,12 @@ fn load(desk: &Desk, text: &str) -> Project {
 #[test]
 fn every_kind_is_rendered_and_its_frames_need_no_order() {
     let desk = Desk::new();
-    let kinds = kinds();
-    assert_eq!(kinds.len(), 8, "{kinds:?}");
-    for (kind, trajectory) in kinds {
-        let project = load(&desk, &recipe(trajectory, SCENE));
+    let mut rendered = Vec::new();
+    for example in EXAMPLES {
+        let project = load(&desk, &recipe(example, SCENE));
         let (plan, header) = (&project.plan, &project.plan.header);
-        assert_eq!(plan.jobs[0].trajectory.kind(), kind);
+        let kind = plan.jobs[0].trajectory.kind();
+        assert_eq!(example_of(&plan.jobs[0].trajectory), example);
         let render = |id: usize| {
             // A world and tools of its own for each frame: nothing is left over from the frames before.
             let world = World::build(&plan.scenes[0], &project.assets).expect("a world");
@@ -113,7 +101,9 @@ fn every_kind_is_rendered_and_its_frames_need_no_order() {
         assert!(grey > 1000, "{kind}: {grey} pixels of echoes in six frames");
         assert!(backwards[0].time_s > backwards[5].time_s, "{kind}: time goes on");
         assert_eq!(plan.assets.contains_key("trajectory/track.txt"), kind == "poses");
+        rendered.push(kind.to_owned());
     }
+    assert_eq!(rendered, kinds(), "every kind is rendered");
 }
 
 #[test]
@@ -138,6 +128,8 @@ scenes: 3";
             let project = load(&desk, &text);
             for (number, scene) in project.plan.scenes.iter().enumerate() {
                 let world = World::build(scene, &project.assets).expect("a world");
+                // What is built on the first question is no part of a frame's time.
+                world.gap(glam::DVec3::ZERO, 0.3);
                 for job in &project.plan.jobs[number * 60..][..60] {
                     let begun = Instant::now();
                     let station = world.station(&project.plan.header, job).expect("a pose");
@@ -164,7 +156,7 @@ fn under_a_deck_it_stays_under_the_deck() {
     let project = load(&desk, &recipe("{hover: {position_m: [2, 1.2, 3]}}", pier));
     let world = World::build(&project.plan.scenes[0], &project.assets).expect("a world");
     let station = world.station(&project.plan.header, &project.plan.jobs[0]).expect("a pose");
-    assert!(world.ground(2.0, 1.2) > 6.0, "there is a deck");
+    assert!(world.gap(glam::DVec3::new(2.0, 1.2, 7.7), 1.0) == 0.0, "there is a deck");
     assert_eq!((station.moved_m, station.pose.position.z), (0.0, 3.0));
 }
 

@@ -1,7 +1,8 @@
 //! Keeping clear: a pose that is too near the bottom, an object or a structure is moved to where there is room.
 //!
-//! Up first, the shortest way that helps. What stands higher than [`MOST_RISE_M`] over the vehicle, such as a quay or a
-//! pile, is left sideways where that is nearer. Along a path the vehicle begins to climb ahead of what it must rise over.
+//! Along a path it rises over things, and begins to climb ahead of them, so that the path stays smooth. A pose without a
+//! path, and what stands higher than [`MOST_RISE_M`] over one, such as a quay or a pile, is left the shortest way, up or
+//! aside.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +12,7 @@ use super::trajectory::{Leg, Voyage};
 use crate::math::Pose;
 use crate::math::real::{cos, sin};
 
-/// Highest rise over a thing before a way round it is looked for, metres.
+/// Highest thing that a path rises over, metres.
 const MOST_RISE_M: f64 = 4.0;
 /// Climb of a vehicle that rises over something ahead, metres up for each metre of way at its speed: 30°.
 const CLIMB: f64 = 0.577;
@@ -104,21 +105,19 @@ pub(super) fn rise_along(leg: &Leg, voyage: &Voyage) -> f64 {
     risen
 }
 
-/// The pose where there is room about it: itself, higher, or aside.
+/// The pose where there is room about it: itself, or moved up or aside, whichever is the shorter way.
 pub(super) fn kept(pose: Pose, voyage: &Voyage) -> Pose {
     let moved = |by: DVec3| Pose { position: pose.position + by, ..pose };
-    if let Some(up) = rise(&pose, voyage, MOST_RISE_M) {
-        return moved(DVec3::Z * up);
-    }
-    let up = DVec3::Z * over_bottom(&pose, voyage);
-    let rings = (1..).map(|ring| f64::from(ring) * ASIDE_M[1]).take_while(|&radius| radius <= ASIDE_M[0]);
-    let aside = rings.flat_map(|radius| {
+    // The steps of a rise have no limit but their number.
+    let up = rise(&pose, voyage, f64::INFINITY).unwrap_or(0.0);
+    let from_bottom = over_bottom(&pose, voyage);
+    let rings = (1..).map(|ring| f64::from(ring) * ASIDE_M[1]);
+    let aside = rings.take_while(|&radius| radius <= ASIDE_M[0].min(up - from_bottom)).flat_map(|radius| {
         (0..DIRECTIONS).map(move |k| {
             let angle = TAU * f64::from(k) / f64::from(DIRECTIONS);
-            DVec3::new(cos(angle), sin(angle), 0.0) * radius
+            DVec3::new(cos(angle) * radius, sin(angle) * radius, from_bottom)
         })
     });
     let has_room = |pose: &Pose| over_bottom(pose, voyage).max(shortage(pose, voyage)) <= NOTHING_M;
-    let free = aside.map(|aside| moved(up + aside)).find(has_room);
-    free.unwrap_or_else(|| moved(DVec3::Z * rise(&pose, voyage, f64::INFINITY).unwrap_or(0.0)))
+    aside.map(moved).find(has_room).unwrap_or_else(|| moved(DVec3::Z * up))
 }

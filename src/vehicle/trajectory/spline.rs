@@ -23,6 +23,8 @@ pub(super) struct Limits {
 }
 
 /// A Catmull–Rom spline, cut into chords that are passed at the speed, or slower where the heading would turn too fast.
+///
+/// Within a chord the spline's own parameter goes evenly: near points the pace is a few per cent off.
 pub(super) struct Spline {
     points: Vec<DVec3>,
     /// When each chord begins, and when the last ends, seconds.
@@ -73,9 +75,10 @@ impl Spline {
         let within = if taken > 0.0 { (wanted - self.times[step]) / taken } else { 0.0 };
         let (position, along) =
             self.curve(step / CHORDS, (step % CHORDS) as f64 / CHORDS as f64 + within / CHORDS as f64);
-        let yaw = match self.even[step] {
-            true => self.yaws[step] + within * turn_between(self.yaws[step], self.yaws[step + 1]),
-            false => atan2(along.y, along.x),
+        let yaw = if self.even[step] {
+            self.yaws[step] + within * turn_between(self.yaws[step], self.yaws[step + 1])
+        } else {
+            atan2(along.y, along.x)
         };
         (position, yaw)
     }
