@@ -18,12 +18,14 @@ const MOST_RISE_M: f64 = 4.0;
 const CLIMB: f64 = 0.577;
 /// Way between the places ahead and behind that are looked at, metres.
 const AHEAD_STEP_M: f64 = 0.5;
-/// Shortest step up that is tried, metres; steps are as long as what is missing.
+/// Shortest step up that is tried, metres; steps are at least as long as what is missing.
 const LEAST_STEP_M: f64 = 0.05;
+/// Growth from step to step: walls are high.
+const GROWTH: f64 = 1.5;
 /// Halvings of the last step.
-const HALVINGS: u32 = 6;
-/// Steps up, enough for twenty metres.
-const MOST_STEPS: u32 = 400;
+const HALVINGS: u32 = 9;
+/// Steps up, enough for any height.
+const MOST_STEPS: u32 = 40;
 /// Way to the side that is tried at most, and its steps, metres.
 const ASIDE_M: [f64; 2] = [10.0, 0.25];
 /// Directions to the side.
@@ -40,11 +42,12 @@ fn rise(pose: &Pose, voyage: &Voyage, most: f64) -> Option<f64> {
     if missing <= NOTHING_M {
         return Some(up);
     }
-    let mut below = up;
+    let (mut below, mut step) = (up, LEAST_STEP_M);
     for _ in 0..MOST_STEPS {
         below = up;
-        up += missing.max(LEAST_STEP_M);
-        if up > from_bottom + most {
+        step = missing.max(GROWTH * step);
+        up += step;
+        if below >= from_bottom + most {
             return None;
         }
         missing = shortage(&lifted(up), voyage);
@@ -56,7 +59,7 @@ fn rise(pose: &Pose, voyage: &Voyage, most: f64) -> Option<f64> {
         let middle = 0.5 * (below + up);
         if shortage(&lifted(middle), voyage) <= NOTHING_M { up = middle } else { below = middle }
     }
-    Some(up)
+    (up <= from_bottom + most).then_some(up)
 }
 
 /// The origins of the vehicle and of its sonar, which may be one.
