@@ -221,7 +221,7 @@ impl Shift<'_> {
                 self.watch.note(&what);
             }
         }
-        let frame = renderer.render(&plan.header, job, &world);
+        let frame = renderer.render(&plan.header, job, &world).map_err(|error| error.to_string())?;
         Ok(files::of_frame(plan, job, &world, frame))
     }
 

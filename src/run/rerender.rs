@@ -38,7 +38,10 @@ pub fn rerender(project: &Project, dataset: &Dataset, ids: &[u64]) -> Result<Vec
             Ok(world) => world,
             Err(reason) => return Some(Otherwise { id: record.id, what: vec![reason] }),
         };
-        let frame = Renderer::default().render(&project.plan.header, job, &world);
+        let frame = match Renderer::default().render(&project.plan.header, job, &world) {
+            Ok(frame) => frame,
+            Err(error) => return Some(Otherwise { id: record.id, what: vec![error.to_string()] }),
+        };
         let (_, made) = files::of_frame(&project.plan, job, &world, frame);
         worlds.done(job);
         let is_same = |path: &str, bytes: &[u8]| record.file(path).is_some_and(|file| file.sha256 == digest(bytes));
