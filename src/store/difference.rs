@@ -37,7 +37,11 @@ fn walk(there: &Value, ours: &Value, path: &mut String, found: &mut Vec<String>)
     match (there, ours) {
         (Value::Object(a), Value::Object(b)) => {
             let keys: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
-            for key in keys {
+            // A single value tells more than the first of many that follow from it.
+            let is_deep =
+                |key: &&String| [a, b].iter().any(|map| map.get(*key).is_some_and(|v| v.is_object() || v.is_array()));
+            let (deep, flat): (Vec<_>, Vec<_>) = keys.into_iter().partition(is_deep);
+            for key in flat.into_iter().chain(deep) {
                 path.push_str(if path.is_empty() { "" } else { "." });
                 path.push_str(key);
                 walk(a.get(key).unwrap_or(&Value::Null), b.get(key).unwrap_or(&Value::Null), path, found);
@@ -74,7 +78,7 @@ mod tests {
     fn the_first_differences_are_named_with_both_values() {
         let a = json!({"seed": 7, "jobs": [{"x": 1.5}, {"x": 2}], "name": "a"});
         let b = json!({"seed": 8, "jobs": [{"x": 1.5}, {"x": 3}], "extra": true, "name": "a"});
-        assert_eq!(of_values(&a, &b), ["extra: nothing → true", "jobs[1].x: 2 → 3", "seed: 7 → 8"]);
+        assert_eq!(of_values(&a, &b), ["extra: nothing → true", "seed: 7 → 8", "jobs[1].x: 2 → 3"]);
         assert!(of_values(&a, &a).is_empty());
     }
 }
