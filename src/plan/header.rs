@@ -74,6 +74,10 @@ pub struct Output {
     pub raw: Raw,
     /// Height of the fan picture, pixels; its width follows from the aperture.
     pub fan_height_px: u32,
+    /// Whether files are packed; pictures and hashes are the same either way.
+    pub pack: Packing,
+    /// Frames in each tar file of a packed dataset.
+    pub tar_frames: u64,
 }
 
 impl Output {
@@ -84,7 +88,9 @@ impl Output {
         Impossible::unless(!twice, "output.views", "a view stands twice", help)?;
         let message = format!("a fan {} pixels high cannot be drawn", self.fan_height_px);
         let possible = (16..=8192).contains(&self.fan_height_px);
-        Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")
+        Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")?;
+        let (message, help) = ("a tar file holds at least 1 frame", "write a whole number from 1, such as 1000");
+        Impossible::unless(self.tar_frames > 0, "output.tar_frames", message, help)
     }
 }
 
@@ -96,6 +102,16 @@ pub enum Raw {
     None,
     /// OpenEXR, 32 bits a channel: intensity, elevation, incidence, instance, material.
     Exr,
+}
+
+/// Ways to write many files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Packing {
+    /// Each as it is.
+    None,
+    /// In tar files, as WebDataset has them.
+    Tar,
 }
 
 /// Shares of train, val and test.
