@@ -102,7 +102,7 @@ pub enum ModelFault {
     /// Not glTF 2.0, or cut off.
     #[error("is not a whole glTF 2.0 file: {0}; export it again as GLB")]
     NotGltf(String),
-    /// Geometry in a form that is not read.
+    /// Required extensions that nothing here knows.
     #[error("needs the glTF extension {0}, which is not supported; export it without")]
     Extension(String),
     /// A part of the file contradicts another.
@@ -113,14 +113,51 @@ pub enum ModelFault {
         /// What is wrong there.
         problem: String,
     },
+    /// The file itself lies elsewhere, behind a link.
+    #[error("is refused: it leads out of {root}; copy the model into that folder", root = root.display())]
+    Elsewhere {
+        /// The folder that models must lie in.
+        root: PathBuf,
+    },
+    /// A buffer that is not in the model's catalog.
+    #[error("is refused at {place}: {uri:?} {problem}; put the data beside the model, or export it as GLB")]
+    Outside {
+        /// Where, e.g. `buffers[0]`.
+        place: String,
+        /// As in the file.
+        uri: String,
+        /// Where it leads.
+        problem: &'static str,
+    },
+    /// A buffer that cannot be read.
+    #[error("needs {uri:?} ({place}), which cannot be read: {error}; put that file beside the model")]
+    Beside {
+        /// Where, e.g. `buffers[0]`.
+        place: String,
+        /// As in the file.
+        uri: String,
+        /// What the system says.
+        error: std::io::Error,
+    },
     /// Nothing that a sonar could see.
-    #[error("holds no triangles that have an area; points and lines are no surface")]
+    #[error("holds no triangles; points and lines are no surface")]
     NoTriangles,
+    /// Triangles, but none that a sonar could see.
+    #[error("holds {0} triangles, none of which has an area; give it an extent")]
+    Flat(u64),
+    /// A panic while it was read.
+    #[error("makes the reader fail, so it must be broken; export it again, without compression if it has any")]
+    Crash,
 }
 
 impl ModelFault {
     pub(crate) fn broken(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Broken { place: place.into(), problem: problem.into() }
+    }
+
+    /// An error if there are more than one model may have.
+    pub(crate) fn limit(what: &'static str, count: u64, limit: u64) -> Result<(), Self> {
+        if count > limit { Err(Self::TooLarge { what, count, limit }) } else { Ok(()) }
     }
 }
 

@@ -13,7 +13,7 @@ pub mod sonars;
 
 pub use error::{CatalogError, ModelFault};
 pub use find::find_catalog;
-pub use glb::load_model;
+pub use glb::{Reading, load_model, load_model_in, read_model};
 pub use index::{Asset, Catalog, Up};
 pub use model::{Model, Part};
 pub use pick::{OneOrMany, Pick};
