@@ -92,8 +92,8 @@ pub enum ModelFault {
     /// Beyond what one model may have.
     #[error("has {count} {what}, more than the {limit} that one model may have; simplify it")]
     TooLarge {
-        /// Bytes, triangles or vertices.
-        what: &'static str,
+        /// Bytes, triangles or vertices, and where if it is one place.
+        what: String,
         /// How many there are.
         count: u64,
         /// How many there may be.
@@ -156,8 +156,8 @@ impl ModelFault {
     }
 
     /// An error if there are more than one model may have.
-    pub(crate) fn limit(what: &'static str, count: u64, limit: u64) -> Result<(), Self> {
-        if count > limit { Err(Self::TooLarge { what, count, limit }) } else { Ok(()) }
+    pub(crate) fn limit(what: &str, count: u64, limit: u64) -> Result<(), Self> {
+        if count > limit { Err(Self::TooLarge { what: what.into(), count, limit }) } else { Ok(()) }
     }
 }
 

@@ -24,9 +24,14 @@ impl File<'_> {
         self.elements(accessor, u64::MAX, unsigned, |bytes, kind, _| integer(bytes, kind))
     }
 
-    /// How many elements an accessor announces.
+    /// How many elements an accessor announces, if one model may have so many.
     pub fn count(&self, accessor: u32) -> Result<u64, ModelFault> {
-        Ok(self.accessor(accessor)?.count)
+        let count = self.accessor(accessor)?.count;
+        if count > MAX_ELEMENTS {
+            let what = format!("elements in {}", place(accessor));
+            return Err(ModelFault::TooLarge { what, count, limit: MAX_ELEMENTS });
+        }
+        Ok(count)
     }
 
     /// Whether integers of an accessor stand for fractions.
@@ -51,8 +56,7 @@ impl File<'_> {
             let problem = format!("{} of component type {}", accessor.shape.0, accessor.component_type);
             return Err(ModelFault::broken(place(number), format!("{problem} is not what belongs there")));
         };
-        ModelFault::limit("elements in one accessor", accessor.count, MAX_ELEMENTS)?;
-        let count = accessor.count.min(most) as usize;
+        let count = self.count(number)?.min(most) as usize;
         self.spend_numbers((count * N) as u64)?;
         let size = kind.size();
         let decode = |element: &[u8]| -> [T; N] {
@@ -113,7 +117,9 @@ impl File<'_> {
         let stride = match view.stride.filter(|stride| *stride > 0).map(usize::try_from) {
             None => span.size,
             Some(Ok(stride)) if stride >= span.size => stride,
-            Some(_) => return Err(broken(format!("its elements are longer than the stride of bufferViews[{}]", span.view))),
+            Some(_) => {
+                return Err(broken(format!("its elements are longer than the stride of bufferViews[{}]", span.view)));
+            }
         };
         let used = span.count.checked_sub(1).map_or(Some(0), |last| last.checked_mul(stride)?.checked_add(span.size));
         let bytes = usize::try_from(span.offset)

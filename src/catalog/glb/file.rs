@@ -14,7 +14,7 @@ use super::{meshopt, uri};
 use crate::catalog::error::ModelFault;
 
 /// Most numbers that are read from one file, those of shared accessors counted each time.
-const MAX_NUMBERS: u64 = 400_000_000;
+const MAX_NUMBERS: u64 = 250_000_000;
 
 /// Required extensions whose geometry is read.
 const GEOMETRY: [&str; 6] = [

@@ -109,9 +109,11 @@ mod tests {
     fn files_of_the_catalog_are_read() {
         let (_all, folder) = tree();
         assert_eq!(folder.read_model().expect("read"), b"models/a.gltf");
-        for (uri, content) in
-            [("data%20b.bin", "models/data b.bin"), ("./data b.bin", "models/data b.bin"), ("../shared.bin", "shared.bin")]
-        {
+        for (uri, content) in [
+            ("data%20b.bin", "models/data b.bin"),
+            ("./data b.bin", "models/data b.bin"),
+            ("../shared.bin", "shared.bin"),
+        ] {
             assert_eq!(folder.read_uri(uri, "buffers[0]", 100).expect(uri), content.as_bytes());
         }
         assert!(matches!(folder.read_uri("../shared.bin", "", 9), Err(ModelFault::TooLarge { limit: 9, .. })));

@@ -11,6 +11,9 @@ use crate::catalog::error::ModelFault;
 /// Longest name that is kept, characters.
 const MAX_NAME: usize = 200;
 
+/// Most instances on one node.
+const MAX_INSTANCES: u64 = 1_000_000;
+
 /// A place for a mesh.
 #[derive(Debug, Default)]
 pub(super) struct Hanger<'a> {
@@ -75,6 +78,10 @@ fn instances(file: &File, instancing: &Instancing, node: usize) -> Result<Vec<DA
         if other? != count {
             return Err(ModelFault::broken(format!("nodes[{node}]"), "its instances have unequal numbers of places"));
         }
+    }
+    if count > MAX_INSTANCES {
+        let what = format!("instances on nodes[{node}]");
+        return Err(ModelFault::TooLarge { what, count, limit: MAX_INSTANCES });
     }
     let translations = at.translation.map(|accessor| file.floats::<3>(accessor)).transpose()?;
     let rotations = at.rotation.map(|accessor| file.floats::<4>(accessor)).transpose()?;

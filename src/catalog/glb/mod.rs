@@ -56,15 +56,18 @@ pub fn read_model(path: &Path, root: Option<&Path>) -> Result<Reading, CatalogEr
     isolated(|| read(path, root)).unwrap_or(Err(ModelFault::Crash)).map_err(fault)
 }
 
-/// As [`read_model`], for use: a model without any surface is an error too. Its buffers lie in its own folder.
+/// As [`read_model`], for use where the file has it: its origin is the file's zero, and no surface at all is an error
+/// too. Its buffers lie in its own folder.
 ///
 /// # Errors
 /// As [`read_model`].
 pub fn load_model(path: &Path) -> Result<Model, CatalogError> {
-    surface_of(path, read_model(path, None)?)
+    let mut model = surface_of(path, read_model(path, None)?)?;
+    model.move_to_file_frame();
+    Ok(model)
 }
 
-/// As [`load_model`], for a model of the catalog in the folder `root`.
+/// As [`load_model`], for a model of the catalog in the folder `root`; it keeps the origin that it was read with.
 ///
 /// # Errors
 /// As [`read_model`].
@@ -89,7 +92,8 @@ fn read(path: &Path, root: Option<&Path>) -> Result<Reading, ModelFault> {
     if reader.triangles == 0 {
         return Err(ModelFault::NoTriangles);
     }
-    Ok(Reading { triangles: reader.triangles, model: Model { parts: reader.parts } })
+    let origin = reader.origin.unwrap_or_default();
+    Ok(Reading { triangles: reader.triangles, model: Model { parts: reader.parts, origin } })
 }
 
 #[cfg(test)]

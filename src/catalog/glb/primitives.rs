@@ -1,6 +1,6 @@
 //! Primitives as parts: positions, morphed and placed, and the triangles between them.
 
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 
 use super::file::File;
 use super::hanger::{Hanger, plain};
@@ -16,6 +16,10 @@ use crate::catalog::model::Part;
 const MAX_TRIANGLES: u64 = 20_000_000;
 /// Most vertices of one model, counted alike.
 const MAX_VERTICES: u64 = 40_000_000;
+/// How far from the file's zero a model keeps its own origin, metres: single precision there still tells millimetres.
+const FAR: f64 = 8192.0;
+/// Largest coordinate: squares of it are still far from overflow.
+const FURTHEST: f32 = 1e15;
 /// Most primitives of one model, counted alike, instances of one node once.
 const MAX_PARTS: u64 = 500_000;
 
@@ -26,6 +30,8 @@ pub(super) struct Reader<'a, 'f> {
     skins: Skins,
     /// Those with triangles that have an area.
     pub parts: Vec<Part>,
+    /// Where the first vertex stands, z up, if that is far away; the parts' zero is there.
+    pub origin: Option<DVec3>,
     /// Triangles so far, those without area too.
     pub triangles: u64,
     vertices: u64,
@@ -34,14 +40,16 @@ pub(super) struct Reader<'a, 'f> {
 
 impl<'a, 'f> Reader<'a, 'f> {
     pub fn new(file: &'a File<'f>, nodes: &'a Nodes) -> Self {
-        Self { file, nodes, skins: Skins::default(), parts: Vec::new(), triangles: 0, vertices: 0, primitives: 0 }
+        let (skins, parts) = (Skins::default(), Vec::new());
+        Self { file, nodes, skins, parts, origin: None, triangles: 0, vertices: 0, primitives: 0 }
     }
 
     /// Adds everything that the file shows: its scene, or all meshes where there are neither scenes nor nodes.
     pub fn all(&mut self) -> Result<(), ModelFault> {
         let (nodes, root) = (self.nodes, &self.file.root);
         if root.nodes.is_empty() && root.scenes.is_empty() {
-            return (0..root.meshes.len() as u32).try_for_each(|mesh| self.mesh(mesh, &Hanger::nowhere(mesh), "meshes"));
+            return (0..root.meshes.len() as u32)
+                .try_for_each(|mesh| self.mesh(mesh, &Hanger::nowhere(mesh), "meshes"));
         }
         for &number in &nodes.shown {
             if let Some(mesh) = root.nodes[number].mesh {
@@ -76,29 +84,26 @@ impl<'a, 'f> Reader<'a, 'f> {
         let source = Source::of(self.file, hung.primitive)?;
         let copies = hung.hanger.worlds.len() as u64;
         self.primitives += 1;
-        ModelFault::limit("primitives", self.primitives, MAX_PARTS)?;
         self.vertices = self.vertices.saturating_add(source.vertex_count()?.saturating_mul(copies));
-        ModelFault::limit("vertices", self.vertices, MAX_VERTICES)?;
         self.triangles = self.triangles.saturating_add(source.triangle_count(mode)?.saturating_mul(copies));
-        ModelFault::limit("triangles", self.triangles, MAX_TRIANGLES)?;
+        self.limit(hung)?;
 
-        let Some(mut local) = source.positions()? else {
-            // Without positions there is no surface, but the triangles were announced.
-            return Ok(None);
-        };
+        // Without positions there is no surface, though triangles were announced.
+        let Some(mut local) = source.positions()? else { return Ok(None) };
         self.morph(hung, &mut local)?;
         let triangles = source.triangles(mode)?;
         if let Some(index) = triangles.iter().flatten().find(|&&index| index as usize >= local.len()) {
             return Err(hung.broken(format!("index {index} of {} vertices", local.len())));
         }
         let material = self.material(hung)?;
-        let joints = self.joints(hung, &source, local.len())?;
-        let mut placed = match joints {
-            Some(joints) => skinned(local, &joints),
-            None => instanced(local, triangles.len(), hung.hanger),
+        let mut placed = match self.joints(hung, &source, local.len())? {
+            Some(joints) => skinned(local, &joints, &mut self.origin),
+            None if triangles.is_empty() => return Ok(None),
+            None => instanced(local, hung.hanger, &mut self.origin),
         };
-        if let Some(vertex) = placed.positions.iter().position(|position| !position.is_finite()) {
-            return Err(hung.broken(format!("vertex {vertex} is not finite")));
+        let bounded = |position: &Vec3| position.abs().max_element() <= FURTHEST && !position.is_nan();
+        if let Some(vertex) = placed.positions.iter().position(|position| !bounded(position)) {
+            return Err(hung.broken(format!("vertex {vertex} is not finite, or further away than {FURTHEST:e}")));
         }
         let triangles = placed.copies_of(triangles);
         if triangles.is_empty() {
@@ -112,6 +117,20 @@ impl<'a, 'f> Reader<'a, 'f> {
             positions: placed.positions,
             triangles,
         }))
+    }
+
+    fn limit(&self, hung: &Hung) -> Result<(), ModelFault> {
+        for (what, count, limit) in [
+            ("primitives", self.primitives, MAX_PARTS),
+            ("vertices", self.vertices, MAX_VERTICES),
+            ("triangles", self.triangles, MAX_TRIANGLES),
+        ] {
+            if count > limit {
+                let what = format!("{what} (up to {})", hung.place);
+                return Err(ModelFault::TooLarge { what, count, limit });
+            }
+        }
+        Ok(())
     }
 
     fn material(&self, hung: &Hung) -> Result<String, ModelFault> {
@@ -194,33 +213,36 @@ impl Placed {
 }
 
 /// Skinned positions; glTF then ignores the mesh's own node.
-fn skinned(mut positions: Vec<Vec3>, joints: &Joints) -> Placed {
+fn skinned(mut positions: Vec<Vec3>, joints: &Joints, origin: &mut Option<DVec3>) -> Placed {
     let mirrored = vec![!positions.is_empty() && joints.blend(0).matrix3.determinant() < 0.0];
     for (vertex, position) in positions.iter_mut().enumerate() {
-        *position = z_up(joints.blend(vertex).transform_point3(position.as_dvec3()));
+        *position = ours(joints.blend(vertex).transform_point3(position.as_dvec3()), origin);
     }
     Placed { positions, mirrored }
 }
 
-/// A copy of the positions for each world that the mesh hangs in; none where it has no triangles.
-fn instanced(mut positions: Vec<Vec3>, triangles: usize, hanger: &Hanger) -> Placed {
+/// A copy of the positions for each world that the mesh hangs in.
+fn instanced(mut positions: Vec<Vec3>, hanger: &Hanger, origin: &mut Option<DVec3>) -> Placed {
     let mirrored = hanger.worlds.iter().map(|world| world.matrix3.determinant() < 0.0).collect();
-    match &hanger.worlds[..] {
-        [world] => {
-            positions.iter_mut().for_each(|position| *position = z_up(world.transform_point3(position.as_dvec3())));
-            Placed { positions, mirrored }
-        }
-        _ if triangles == 0 => Placed { positions: Vec::new(), mirrored },
-        worlds => {
-            let copies = worlds.iter().flat_map(|world| {
-                positions.iter().map(|position| z_up(world.transform_point3(position.as_dvec3())))
-            });
-            Placed { positions: copies.collect(), mirrored }
-        }
+    let mut placed = |world: &DAffine3, position: Vec3| ours(world.transform_point3(position.as_dvec3()), origin);
+    if let [world] = &hanger.worlds[..] {
+        positions.iter_mut().for_each(|position| *position = placed(world, *position));
+        return Placed { positions, mirrored };
     }
+    let mut copies = Vec::with_capacity(positions.len() * hanger.worlds.len());
+    for world in &hanger.worlds {
+        copies.extend(positions.iter().map(|position| placed(world, *position)));
+    }
+    Placed { positions: copies, mirrored }
 }
 
-/// y up to z up: a right-hand turn about x, so that the winding stays.
-fn z_up(p: DVec3) -> Vec3 {
-    Vec3::new(p.x as f32, -p.z as f32, p.y as f32)
+/// A position of the file's frame in ours: y up to z up, a right-hand turn about x, so that the winding stays; from the
+/// origin, which the first position of a file decides on.
+fn ours(p: DVec3, origin: &mut Option<DVec3>) -> Vec3 {
+    let turned = DVec3::new(p.x, -p.z, p.y);
+    let far = || {
+        let furthest = turned.abs().max_element();
+        if furthest > FAR && furthest < f64::from(FURTHEST) { turned.floor() } else { DVec3::ZERO }
+    };
+    (turned - *origin.get_or_insert_with(far)).as_vec3()
 }
