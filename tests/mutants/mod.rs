@@ -65,6 +65,7 @@ pub fn mutant(seeds: &[Seed], number: u64) -> (Vec<u8>, &Seed) {
     let bytes = match (draw.below(8), &seed.json) {
         (0..=4, Some(json)) => structured(seed, json.clone(), &mut draw),
         (5, _) => header(seed.bytes.clone(), &mut draw),
+        (6, Some(json)) if seed.bin.is_some() => glb(json, &flipped(seed.bin.clone().unwrap_or_default(), &mut draw)),
         _ => flipped(seed.bytes.clone(), &mut draw),
     };
     (bytes, seed)
@@ -113,13 +114,19 @@ fn extreme_word(draw: &mut Stream) -> u32 {
 
 /// The JSON changed in a few places, the binary chunk in some.
 fn structured(seed: &Seed, mut json: Value, draw: &mut Stream) -> Vec<u8> {
-    for _ in 0..=draw.below(4) {
+    for _ in 0..=draw.below(5) / 2 {
         let donor = pick(&mut json, draw).clone();
         change(pick(&mut json, draw), donor, draw);
     }
+    match &seed.bin {
+        None => json.to_string().into_bytes(),
+        Some(bin) if draw.below(3) == 0 => glb(&json, &flipped(bin.clone(), draw)),
+        Some(bin) => glb(&json, bin),
+    }
+}
+
+fn glb(json: &Value, bin: &[u8]) -> Vec<u8> {
     let mut text = json.to_string().into_bytes();
-    let Some(bin) = &seed.bin else { return text };
-    let bin = if draw.below(3) == 0 { flipped(bin.clone(), draw) } else { bin.clone() };
     text.resize(text.len().next_multiple_of(4), b' ');
     let mut out = b"glTF\x02\0\0\0".to_vec();
     out.extend((28 + text.len() as u32 + bin.len() as u32).to_le_bytes());
