@@ -123,3 +123,72 @@ pub(super) enum Scale {
     /// Fractions of the largest.
     Normalized,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::catalog::error::CatalogError;
+    use crate::catalog::glb::tests::{cube, glb, load, volume};
+    use crate::catalog::model::Model;
+
+    /// A cube of side 1, positions in 8 bits, as draco-core 2.3.3 writes it: edgebreaker.
+    const EDGEBREAKER: &str = "445241434f02020101000000080c000b0000035f4b1501011001ff000001000903000002010101000303\
+        012001200300b0429c2002050800000000ff000000000000bf000000bf000000bf0000803f08";
+    /// The same, sequential.
+    const SEQUENTIAL: &str = "445241434f0202010000000c080100020300030104050704070600010500050402060702070300040600\
+        0602010307010705010100090300000200010100030301280118030048b188112d460000000000ff000000000000bf000000bf000000bf\
+        0000803f08";
+
+    fn bytes(hex: &str) -> Vec<u8> {
+        (0..hex.len() / 2).map(|k| u8::from_str_radix(&hex[2 * k..2 * k + 2], 16).expect("hex")).collect()
+    }
+
+    /// A file of one compressed cube on two nodes; its accessors have no data of their own.
+    fn compressed(stream: &[u8], edit: impl Fn(&mut Value)) -> Result<Model, CatalogError> {
+        let mut padded: Vec<u8> = stream.to_vec();
+        padded.resize(padded.len().next_multiple_of(12), 0);
+        let floats: Vec<f32> = padded.chunks(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let words = floats.chunks(3).map(|b| [b[0], b[1], b[2]]).collect();
+        let nodes = json!([{"mesh": 0}, {"mesh": 0, "translation": [2.0, 0.0, 0.0]}]);
+        load(&glb(&(words, cube().1), nodes, |root| {
+            root["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]);
+            root["bufferViews"][0]["byteLength"] = json!(stream.len());
+            root["accessors"] = json!([{"componentType": 5126, "count": 8, "type": "VEC3"},
+                {"componentType": 5125, "count": 36, "type": "SCALAR"}]);
+            root["meshes"][0]["primitives"][0]["extensions"] =
+                json!({"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}});
+            edit(root);
+        }))
+    }
+
+    #[test]
+    fn both_ways_of_compression_give_the_cube() {
+        for stream in [EDGEBREAKER, SEQUENTIAL] {
+            let model = compressed(&bytes(stream), |_| ()).expect("a sound file");
+            assert_eq!(model.parts.iter().map(|part| part.triangles.len()).sum::<usize>(), 24);
+            assert!((volume(&model) - 2.0).abs() < 1e-2, "{}", volume(&model));
+            let (low, high) = model.bounds().expect("triangles");
+            assert!((low.x + 0.5).abs() < 1e-2 && (high.x - 2.5).abs() < 1e-2, "{low} {high}");
+        }
+    }
+
+    #[test]
+    fn broken_streams_say_where() {
+        let whole = bytes(EDGEBREAKER);
+        for length in 0..whole.len() {
+            let error = compressed(&whole[..length], |_| ()).expect_err("cut off").to_string();
+            assert!(error.contains("bufferViews[0]: its Draco data"), "{error}");
+        }
+        let other = |root: &mut Value| {
+            root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] =
+                json!(4);
+        };
+        assert!(compressed(&whole, other).expect_err("none such").to_string().contains("no attribute 4"));
+        // A sequential stream that announces a thousand million triangles.
+        let mut many = bytes(SEQUENTIAL);
+        many.splice(11..12, [0x80, 0x94, 0xEB, 0xDC, 0x03]);
+        let error = compressed(&many, |_| ()).expect_err("too many").to_string();
+        assert!(error.contains("its Draco data"), "{error}");
+    }
+}

@@ -92,15 +92,16 @@ pub(crate) fn shared(folder: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-fn load(bytes: &[u8]) -> Result<Model, CatalogError> {
+/// What a file of those bytes gives.
+pub(crate) fn load(bytes: &[u8]) -> Result<Model, CatalogError> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("model.glb");
     fs::write(&path, bytes).expect("write");
     load_model(&path)
 }
 
-/// Six times the enclosed volume: positive when triangles face outwards.
-fn volume(model: &Model) -> f64 {
+/// The enclosed volume: positive when triangles face outwards.
+pub(crate) fn volume(model: &Model) -> f64 {
     let corner = |part: &Part, v: u32| part.positions[v as usize].as_dvec3();
     let triangles = model.parts.iter().flat_map(|part| part.triangles.iter().map(move |t| t.map(|v| corner(part, v))));
     triangles.map(|[a, b, c]| a.dot(b.cross(c))).sum::<f64>() / 6.0
