@@ -1,4 +1,4 @@
-//! Local catalogs of models: a folder with `catalog.csv` and GLB files.
+//! Local catalogs of models: a folder with `catalog.csv` and glTF files.
 //!
 //! Knows what a model is, how large it really is and what it is made of; knows nothing of scenes.
 

@@ -13,15 +13,20 @@ impl File<'_> {
         self.elements(accessor, u64::MAX, |_| true, float)
     }
 
-    /// As [`File::floats`], but only the first few.
+    /// As [`File::floats`], but no more than so many.
     pub fn first_floats<const N: usize>(&self, accessor: u32, most: u64) -> Result<Vec<[f32; N]>, ModelFault> {
         self.elements(accessor, most, |_| true, float)
     }
 
     /// Elements of `N` unsigned integers.
     pub fn integers<const N: usize>(&self, accessor: u32) -> Result<Vec<[u32; N]>, ModelFault> {
+        self.first_integers(accessor, u64::MAX)
+    }
+
+    /// As [`File::integers`], but no more than so many.
+    pub fn first_integers<const N: usize>(&self, accessor: u32, most: u64) -> Result<Vec<[u32; N]>, ModelFault> {
         let unsigned = |kind| matches!(kind, Component::U8 | Component::U16 | Component::U32);
-        self.elements(accessor, u64::MAX, unsigned, |bytes, kind, _| integer(bytes, kind))
+        self.elements(accessor, most, unsigned, |bytes, kind, _| integer(bytes, kind))
     }
 
     /// How many elements an accessor announces, if one model may have so many.
@@ -32,6 +37,11 @@ impl File<'_> {
             return Err(ModelFault::TooLarge { what, count, limit: MAX_ELEMENTS });
         }
         Ok(count)
+    }
+
+    /// Whether an accessor has no data, so that all its elements are 0.
+    pub fn is_zero(&self, accessor: u32) -> bool {
+        self.accessor(accessor).is_ok_and(|accessor| accessor.buffer_view.is_none() && accessor.sparse.is_none())
     }
 
     /// Whether integers of an accessor stand for fractions.

@@ -88,7 +88,10 @@ impl<'a, 'f> Reader<'a, 'f> {
         self.triangles = self.triangles.saturating_add(source.triangle_count(mode)?.saturating_mul(copies));
         self.limit(hung)?;
 
-        // Without positions there is no surface, though triangles were announced.
+        // Without different positions there is no surface, though triangles were announced.
+        if source.is_one_point() && hung.primitive.targets.is_empty() && hung.hanger.skin.is_none() {
+            return Ok(None);
+        }
         let Some(mut local) = source.positions()? else { return Ok(None) };
         self.morph(hung, &mut local)?;
         let triangles = source.triangles(mode)?;
@@ -145,10 +148,13 @@ impl<'a, 'f> Reader<'a, 'f> {
         let weights = hung.hanger.weights.or(hung.mesh.weights.as_deref()).unwrap_or_default();
         for (target, &weight) in hung.primitive.targets.iter().zip(weights) {
             let Some(accessor) = target.position.filter(|_| weight != 0.0) else { continue };
-            let moves = self.file.floats::<3>(accessor)?;
-            if moves.len() != positions.len() {
+            if self.file.count(accessor)? != positions.len() as u64 {
                 return Err(hung.broken("a morph target of another length than the mesh"));
             }
+            if self.file.is_zero(accessor) {
+                continue;
+            }
+            let moves = self.file.floats::<3>(accessor)?;
             for (position, by) in positions.iter_mut().zip(moves) {
                 *position += weight * Vec3::from_array(by);
             }
@@ -161,7 +167,9 @@ impl<'a, 'f> Reader<'a, 'f> {
         let Some(number) = hung.hanger.skin else { return Ok(None) };
         let mut sets = Vec::new();
         for (numbers, weights) in source.joint_sets() {
-            sets.push(JointSet { numbers: source.integers::<4>(numbers)?, weights: source.floats::<4>(weights)? });
+            let numbers = source.integers::<4>(numbers, vertices as u64)?;
+            let weights = source.floats::<4>(weights, vertices as u64)?;
+            sets.push(JointSet { numbers, weights });
         }
         if sets.is_empty() {
             return Ok(None);

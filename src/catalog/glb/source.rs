@@ -56,10 +56,16 @@ impl<'a, 'f> Source<'a, 'f> {
         }
     }
 
+    /// Whether all positions, or all corners, are known to be one without reading them.
+    pub fn is_one_point(&self) -> bool {
+        let is_zero = |accessor: Option<u32>| accessor.is_some_and(|accessor| self.file.is_zero(accessor));
+        self.compressed.is_none() && (is_zero(self.attributes.position) || is_zero(self.indices))
+    }
+
     /// All positions; `None` if the primitive has none.
     pub fn positions(&self) -> Result<Option<Vec<Vec3>>, ModelFault> {
         let Some(position) = self.attribute(|attributes| attributes.position) else { return Ok(None) };
-        Ok(Some(self.floats::<3>(position)?.into_iter().map(Vec3::from_array).collect()))
+        Ok(Some(self.floats::<3>(position, u64::MAX)?.into_iter().map(Vec3::from_array).collect()))
     }
 
     pub fn triangles(&self, mode: Mode) -> Result<Vec<[u32; 3]>, ModelFault> {
@@ -80,20 +86,22 @@ impl<'a, 'f> Source<'a, 'f> {
         })
     }
 
-    pub fn floats<const N: usize>(&self, attribute: Attribute) -> Result<Vec<[f32; N]>, ModelFault> {
+    /// An attribute as floats, no more than so many elements.
+    pub fn floats<const N: usize>(&self, attribute: Attribute, most: u64) -> Result<Vec<[f32; N]>, ModelFault> {
         match (&self.compressed, attribute.id) {
             (Some(compressed), Some(id)) => {
                 let normalized = self.file.is_normalized(attribute.accessor);
                 compressed.stream.floats(id, if normalized { Scale::Normalized } else { Scale::AsIs })
             }
-            _ => self.file.floats(attribute.accessor),
+            _ => self.file.first_floats(attribute.accessor, most),
         }
     }
 
-    pub fn integers<const N: usize>(&self, attribute: Attribute) -> Result<Vec<[u32; N]>, ModelFault> {
+    /// An attribute as whole numbers, no more than so many elements.
+    pub fn integers<const N: usize>(&self, attribute: Attribute, most: u64) -> Result<Vec<[u32; N]>, ModelFault> {
         match (&self.compressed, attribute.id) {
             (Some(compressed), Some(id)) => compressed.stream.integers(id),
-            _ => self.file.integers(attribute.accessor),
+            _ => self.file.first_integers(attribute.accessor, most),
         }
     }
 
