@@ -89,7 +89,8 @@ impl<'a, 'f> Reader<'a, 'f> {
         self.limit(hung)?;
 
         // Without different positions there is no surface, though triangles were announced.
-        if source.is_one_point() && hung.primitive.targets.is_empty() && hung.hanger.skin.is_none() {
+        let moved = hung.hanger.skin.is_some() || hung.primitive.targets.iter().any(|target| target.position.is_some());
+        if source.is_one_point() && !moved {
             return Ok(None);
         }
         let Some(mut local) = source.positions()? else { return Ok(None) };
