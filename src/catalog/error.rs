@@ -140,7 +140,7 @@ pub enum ModelFault {
         error: std::io::Error,
     },
     /// Nothing that a sonar could see.
-    #[error("holds no triangles; points and lines are no surface")]
+    #[error("holds no triangles in its scene; a model needs a surface, not only points, lines or empty nodes")]
     NoTriangles,
     /// Triangles, but none that a sonar could see.
     #[error("holds {0} triangles, none of which has an area; give it an extent")]
@@ -152,13 +152,21 @@ pub enum ModelFault {
 
 impl ModelFault {
     pub(crate) fn broken(place: impl Into<String>, problem: impl Into<String>) -> Self {
-        Self::Broken { place: place.into(), problem: problem.into() }
+        Self::Broken { place: short(&place.into()), problem: short(&problem.into()) }
     }
 
     /// An error if there are more than one model may have.
     pub(crate) fn limit(what: &str, count: u64, limit: u64) -> Result<(), Self> {
         if count > limit { Err(Self::TooLarge { what: what.into(), count, limit }) } else { Ok(()) }
     }
+}
+
+/// Words of a file as a message can hold them: not endless, no control characters.
+pub(crate) fn short(text: &str) -> String {
+    const MOST: usize = 300;
+    let mut letters = text.chars().filter(|letter| !letter.is_control());
+    let kept: String = letters.by_ref().take(MOST).collect();
+    if letters.next().is_some() { kept + "…" } else { kept }
 }
 
 /// `; did you mean X?` for the word nearest to `name`, or nothing if none is near.
@@ -170,5 +178,17 @@ pub(crate) fn did_you_mean<'a>(name: &str, words: impl IntoIterator<Item = &'a s
     match best {
         Some((likeness, word)) if likeness >= 0.5 => format!("; did you mean `{word}`?"),
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_file_cannot_flood_or_colour_a_message() {
+        let fault = ModelFault::broken("nodes[0]", format!("\u{1b}[31m{}", "x".repeat(1_000_000)));
+        let text = fault.to_string();
+        assert!(text.len() < 400 && text.contains("[31mxx") && text.contains("…; export") && !text.contains('\u{1b}'));
     }
 }

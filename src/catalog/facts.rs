@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::model::Model;
 
@@ -76,26 +76,39 @@ impl MeshFacts {
 /// Triangles between welded corners.
 struct Corners {
     /// From the lowest corner of the bounding box, so that sums stay small.
-    positions: Vec<glam::DVec3>,
+    positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Corners {
     fn of(model: &Model, low: Vec3, cell: f64) -> Self {
         let low = low.as_dvec3();
-        let used = model.parts.iter().flat_map(|part| {
-            part.triangles.iter().flatten().map(|&vertex| part.positions[vertex as usize].as_dvec3() - low)
-        });
-        let key = |p: glam::DVec3| if cell > 0.0 { (p / cell).to_array().map(|v| v.round() as i64) } else { [0; 3] };
-        let mut keyed: Vec<([i64; 3], u32, glam::DVec3)> = used.zip(0..).map(|(p, k)| (key(p), k, p)).collect();
+        let key = |p: DVec3| if cell > 0.0 { (p / cell).to_array().map(|v| v.round() as i64) } else { [0; 3] };
+        // Vertices of all parts are numbered through; those that no triangle uses do not count.
+        let mut keyed = Vec::new();
+        let mut count = 0;
+        for part in &model.parts {
+            let mut used = vec![false; part.positions.len()];
+            part.triangles.iter().flatten().for_each(|&vertex| used[vertex as usize] = true);
+            let vertices = part.positions.iter().zip(used).zip(count..);
+            keyed.extend(
+                vertices.filter(|((_, used), _)| *used).map(|((p, _), number)| (key(p.as_dvec3() - low), number, *p)),
+            );
+            count += part.positions.len() as u32;
+        }
         keyed.sort_unstable_by_key(|(key, number, _)| (*key, *number));
-        let mut of_corner = vec![0; keyed.len()];
+        let mut corner_of = vec![0; count as usize];
         let mut positions = Vec::new();
         for same in keyed.chunk_by(|a, b| a.0 == b.0) {
-            same.iter().for_each(|(_, number, _)| of_corner[*number as usize] = positions.len() as u32);
-            positions.push(same[0].2);
+            same.iter().for_each(|(_, number, _)| corner_of[*number as usize] = positions.len() as u32);
+            positions.push(same[0].2.as_dvec3() - low);
         }
-        let triangles = of_corner.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]).collect();
+        let mut triangles = Vec::new();
+        let mut first = 0;
+        for part in &model.parts {
+            triangles.extend(part.triangles.iter().map(|t| t.map(|vertex| corner_of[first + vertex as usize])));
+            first += part.positions.len();
+        }
         Self { positions, triangles }
     }
 
@@ -103,9 +116,10 @@ impl Corners {
     fn edges(&self) -> Vec<([u32; 2], usize)> {
         let ends = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
         let edges = self.triangles.iter().flat_map(|&triangle| ends(triangle)).filter(|[a, b]| a != b);
-        let mut edges: Vec<[u32; 2]> = edges.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        // Both ends in one number, which sorts faster.
+        let mut edges: Vec<u64> = edges.map(|[a, b]| u64::from(a.min(b)) << 32 | u64::from(a.max(b))).collect();
         edges.sort_unstable();
-        edges.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect()
+        edges.chunk_by(|a, b| a == b).map(|same| ([(same[0] >> 32) as u32, same[0] as u32], same.len())).collect()
     }
 
     fn length(&self, [a, b]: [u32; 2]) -> f64 {

@@ -7,7 +7,7 @@
 use crate::catalog::error::ModelFault;
 
 /// Most objects in the JSON of one file.
-const MAX_OBJECTS: u64 = 2_000_000;
+const MAX_OBJECTS: u64 = 1_500_000;
 /// Most values in the JSON of one file.
 const MAX_VALUES: u64 = 32_000_000;
 

@@ -11,7 +11,7 @@ use super::draco::Streams;
 use super::folder::{Folder, MAX_BYTES};
 use super::schema::{Buffer, BufferView, Root};
 use super::{meshopt, uri};
-use crate::catalog::error::ModelFault;
+use crate::catalog::error::{ModelFault, short};
 
 /// Most numbers that are read from one file, those of shared accessors counted each time.
 const MAX_NUMBERS: u64 = 250_000_000;
@@ -205,7 +205,7 @@ fn parse_json(json: &[u8]) -> Result<Root<'_>, ModelFault> {
             Err(error) if !error.path().to_string().starts_with('.') => {
                 ModelFault::broken(error.path().to_string(), error.inner().to_string())
             }
-            _ => ModelFault::NotGltf(plain.to_string()),
+            _ => ModelFault::NotGltf(short(&plain.to_string())),
         }
     })
 }
@@ -213,10 +213,10 @@ fn parse_json(json: &[u8]) -> Result<Root<'_>, ModelFault> {
 fn check_version(root: &Root) -> Result<(), ModelFault> {
     let version = &root.asset.version.0;
     if !version.starts_with("2.") {
-        return Err(ModelFault::NotGltf(format!("its version is {version:?}")));
+        return Err(ModelFault::NotGltf(short(&format!("its version is {version:?}"))));
     }
     match &root.asset.min_version {
-        Some(least) if least.0 != "2.0" => Err(ModelFault::NotGltf(format!("it needs version {:?}", least.0))),
+        Some(least) if least.0 != "2.0" => Err(ModelFault::NotGltf(short(&format!("it needs version {:?}", least.0)))),
         _ => Ok(()),
     }
 }
@@ -227,8 +227,8 @@ fn check_extensions(root: &Root) -> Result<(), ModelFault> {
     match unknown.next() {
         None => Ok(()),
         Some(first) => {
-            let others = unknown.take(5).map(|name| format!(", {name}"));
-            Err(ModelFault::Extension(std::iter::once(first.to_owned()).chain(others).collect()))
+            let others = unknown.take(5).map(|name| format!(", {}", short(name)));
+            Err(ModelFault::Extension(std::iter::once(short(first)).chain(others).collect()))
         }
     }
 }
