@@ -311,15 +311,16 @@ mod tests {
         finish(&store, &input()).unwrap();
         let mut table = csv::Reader::from_path(folder.path().join(layout::FRAMES)).unwrap();
         let header: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();
-        assert_eq!(&header[10..14], ["roll_deg", "seabed.sediment", "water.temperature_c", "annotations_polar"]);
+        assert_eq!(&header[10..14], ["roll_deg", "time_s", "moved_m", "seabed.sediment"]);
         let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
         assert_eq!(rows.len() as u64, FRAMES);
         for (row, frame) in rows.iter().zip(store.finished().values()) {
             assert_eq!(&row[1], frame.name);
             assert_eq!(row[5].parse(), Ok(frame.pose[0]), "numbers read back the same");
-            assert_eq!(&row[11], "fine, \"sand\"");
-            assert_eq!(row[13], frame.views[&View::Polar].annotations.len().to_string());
-            assert_eq!(row[16], frame.file(&format!("images/fan/{}.png", frame.name)).unwrap().sha256);
+            assert_eq!(row[11].parse(), Ok(frame.time_s));
+            assert_eq!(&row[13], "fine, \"sand\"");
+            assert_eq!(row[15], frame.views[&View::Polar].annotations.len().to_string());
+            assert_eq!(row[18], frame.file(&format!("images/fan/{}.png", frame.name)).unwrap().sha256);
         }
     }
 

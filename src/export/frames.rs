@@ -9,8 +9,21 @@ use crate::label::View;
 use crate::store::{FrameRecord, layout};
 
 /// Columns that every dataset has.
-const FIXED: [&str; 11] =
-    ["id", "name", "split", "scene", "frame", "x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"];
+const FIXED: [&str; 13] = [
+    "id",
+    "name",
+    "split",
+    "scene",
+    "frame",
+    "x_m",
+    "y_m",
+    "z_m",
+    "yaw_deg",
+    "pitch_deg",
+    "roll_deg",
+    "time_s",
+    "moved_m",
+];
 
 /// Where the column `variant` goes in the tables of swept recipes: behind the split.
 const VARIANT_COLUMN: usize = 3;
@@ -55,7 +68,7 @@ fn row(frame: &FrameRecord, drawn: &BTreeSet<&str>, views: &[View], looks: &BTre
         frame.scene.to_string(),
         frame.frame.to_string(),
     ];
-    row.extend(frame.pose.iter().map(|&number| cell(&Value::from(number))));
+    row.extend(frame.pose.iter().chain([&frame.time_s, &frame.moved_m]).map(|&number| cell(&Value::from(number))));
     row.extend(drawn.iter().map(|&path| frame.values.get(path).map(cell).unwrap_or_default()));
     for &view in views {
         let annotations = frame.views.get(&view).map(|record| record.annotations.len().to_string());

@@ -37,6 +37,8 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
         frame: job.frame,
         split: job.split.name().to_owned(),
         pose: pose_numbers(&frame.world_from_sonar),
+        time_s: frame.time_s,
+        moved_m: frame.moved_m,
         values,
         looks: job.looks.iter().filter_map(|look| look.name.clone()).collect(),
         views,

@@ -16,7 +16,7 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     name: "sample",
     plan_hash: "0123abcd",
     frames: FRAMES,
-    recipe_text: "name: sample\n",
+    recipe_text: Some("name: sample\n"),
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
@@ -40,6 +40,8 @@ pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
         frame: id % 2,
         split: if id < 4 { "train" } else { "val" }.to_owned(),
         pose: [id as f64 / 7.0, -1.0, 2.5, 1.0 / 3.0, 0.0, -0.0],
+        time_s: 0.5 * (id % 2) as f64,
+        moved_m: 0.0,
         values: BTreeMap::from([
             ("water.temperature_c".to_owned(), json!(4.0 + id as f64 / 3.0)),
             ("seabed.sediment".to_owned(), json!("fine, \"sand\"")),
