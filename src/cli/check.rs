@@ -28,7 +28,7 @@ impl Check {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
         let project = self.recipe.load()?;
         let plan = &project.plan;
-        let world = World::build(&plan.scenes[0], &project.assets)?;
+        let world = World::build(plan, 0, &project.assets)?;
         let mut labels: BTreeMap<&str, u64> = BTreeMap::new();
         for body in plan.scenes.iter().flat_map(|scene| &scene.spec.bodies) {
             *labels.entry(&body.label).or_default() += 1;

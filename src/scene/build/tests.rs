@@ -9,6 +9,7 @@ use tempfile::TempDir;
 use super::*;
 use crate::catalog::glb::tests::{cube, glb, shared, tire};
 use crate::scene::environment::Labels;
+use crate::scene::placement::PoseSpec;
 
 /// A recipe folder with the catalog `things`: a tire of 0.6 m and a crate of 0.8 m.
 fn folder() -> TempDir {
@@ -46,6 +47,12 @@ fn crowd(count: usize, within: f64, burial: f64) -> SceneSpec {
                 burial,
                 within_m: within,
             }),
+            clear_m: 0.05,
+            tries: 200,
+            on_failure: OnFailure::Drop,
+            in_view: None,
+            item: k as u32,
+            instance: 0,
         });
     }
     spec
@@ -138,7 +145,8 @@ fn given_poses_hold_and_materials_follow() {
     let folder = folder();
     let spec = read(
         "{bodies: [{label: tyre, catalog: things, uid: tire, \
-          pose: {at: {position_m: [1, 2, 0.5], yaw_deg: 90, pitch_deg: 0, roll_deg: 0}}}]}",
+          pose: {at: {position_m: [1, 2, 0.5], yaw_deg: 90, pitch_deg: 0, roll_deg: 0}}, clear_m: 0, tries: 1, \
+          on_failure: drop, item: 0, instance: 0}]}",
     );
     let built = build(&spec, &AssetCache::new(folder.path()), 1, 0).expect("a scene");
     let body = &built.scene.bodies[0];
@@ -204,6 +212,7 @@ fn shared_models_rest_on_ripples() {
     spec.bodies = names
         .map(|name| BodySpec { uid: name.into(), catalog: ".".into(), ..crowd(1, 8.0, 0.0).bodies[0].clone() })
         .to_vec();
+    spec.bodies.iter_mut().zip(0..).for_each(|(body, item)| body.item = item);
     let assets = AssetCache::new(folder.path());
     spec.check(&assets).expect("sound");
     let start = Instant::now();
