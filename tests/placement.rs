@@ -145,16 +145,19 @@ fn settled_bodies_keep_out_of_each_other_and_touch_the_bottom() {
     };
     let (mut worst, mut gap, mut placed, mut asked, mut spent) = (0.0f64, 0.0f64, 0, 0, Duration::ZERO);
     for (clear, within) in [("0.05", 3.0), ("0", 1.4)] {
-        let project = project(&desk, 250, &format!("{SEABEDS}\n{}", items(clear, within)));
+        let scenes = std::env::var("N").map_or(250, |n| n.parse().unwrap());
+        let project = project(&desk, scenes, &format!("{SEABEDS}\n{}", items(clear, within)));
         let start = Instant::now();
         let worlds = worlds(&project);
         spent += start.elapsed();
+        println!("{clear}: built {:?}", start.elapsed());
         for world in &worlds {
             asked += 7;
             placed += world.scene().bodies.len();
             assert_eq!(world.scene().bodies.len() + world.built().dropped.len(), 7);
         }
         let overlaps: Vec<f64> = worlds.par_iter().map(worst_overlap).collect();
+        println!("measured {:?}", start.elapsed());
         worst = overlaps.into_iter().fold(worst, f64::max);
         if clear != "0" {
             for (world, (label, body)) in worlds.iter().flat_map(|world| bodies(world).into_iter().map(move |b| (world, b))) {

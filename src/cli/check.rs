@@ -10,6 +10,7 @@ use crate::image::reach::REACH_SEABED_DB;
 use crate::physics::absorption::francois_garrison;
 use crate::plan::Plan;
 use crate::run::World;
+use crate::scene::OnFailure;
 
 /// Most notes on acoustics.
 const MOST_NOTES: usize = 8;
@@ -56,8 +57,14 @@ impl Check {
         for note in project.notes.iter().map(ToString::to_string).chain(acoustic_notes(plan)) {
             eprintln!("note: {note}");
         }
-        for dropped in &world.built().dropped {
-            eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
+        for note in world.built().notes() {
+            eprintln!("note: scene 0: {note}");
+        }
+        // What must not be left out is placed now, in every scene that has it.
+        for (number, scene) in plan.scenes.iter().enumerate().skip(1) {
+            if scene.spec.bodies.iter().any(|body| body.on_failure == OnFailure::Fail) {
+                World::build(plan, number, &project.assets)?;
+            }
         }
         Ok(Code::Done)
     }

@@ -8,7 +8,7 @@ use super::card::{self, CardFacts};
 use super::coco::{self, Coco};
 use super::frames;
 use crate::label::View;
-use crate::store::{Counts, FileRecord, FrameRecord, Store, StoreError, Summary, VERSION, layout};
+use crate::store::{Counts, Fate, FileRecord, FrameRecord, ObjectCounts, Store, StoreError, Summary, VERSION, layout};
 
 /// What the frames' records do not tell.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -23,6 +23,8 @@ pub struct FinishInput {
     pub splits: Vec<String>,
     /// All labels, each once, in the order of their category ids; one may never be seen.
     pub categories: Vec<String>,
+    /// Objects that the plan asks for in all scenes.
+    pub objects: u64,
     /// More rows for the card's table of how the images were made: sonar, ranges …
     pub facts: Vec<(String, String)>,
     /// The models in the scenes.
@@ -83,7 +85,9 @@ pub fn finish(store: &Store, input: &FinishInput) -> Result<Summary, FinishError
     let mut derived = annotations(store, input, &frames)?;
     derived.push(store.write_with(layout::FRAMES, |out| frames::write(out, &frames, &input.views))?);
     let (name, plan_hash) = (store.name(), store.plan_hash());
-    let card = card::readme(&CardFacts { name, plan_hash, version: VERSION, counts: &counts }, input);
+    let misplaced: Vec<_> = frames.values().flat_map(|frame| &frame.misplaced).collect();
+    let facts = CardFacts { name, plan_hash, version: VERSION, counts: &counts, misplaced: &misplaced };
+    let card = card::readme(&facts, input);
     derived.push(store.write_with(layout::CARD, |out| out.write_all(card.as_bytes()))?);
     let attribution = card::attribution(name, &input.attributions);
     derived.push(store.write_with(layout::ATTRIBUTION, |out| out.write_all(attribution.as_bytes()))?);
@@ -136,9 +140,17 @@ fn count(frames: &BTreeMap<u64, FrameRecord>, input: &FinishInput) -> Counts {
     let mut counts = Counts {
         frames: input.splits.iter().map(|split| (split.clone(), 0)).collect(),
         annotations: input.views.iter().map(|&view| (view, none.clone())).collect(),
+        objects: ObjectCounts { asked: input.objects, placed: input.objects, overlapping: 0 },
     };
     for frame in frames.values() {
         *counts.frames.entry(frame.split.clone()).or_default() += 1;
+        let objects = &mut counts.objects;
+        for misplaced in &frame.misplaced {
+            match misplaced.fate {
+                Fate::LeftOut => objects.placed = objects.placed.saturating_sub(1),
+                Fate::Overlaps => objects.overlapping += 1,
+            }
+        }
         for (&view, record) in &frame.views {
             let labels = counts.annotations.entry(view).or_default();
             for annotation in &record.annotations {
@@ -162,6 +174,7 @@ mod tests {
         FinishInput {
             description: "Tires and anchors.".to_owned(),
             seed: 7,
+            objects: 6,
             views: vec![View::Polar, View::Fan],
             splits: ["train", "val", "test"].map(str::to_owned).to_vec(),
             categories: ["tire", "anchor", "crab pot"].map(str::to_owned).to_vec(),

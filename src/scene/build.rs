@@ -51,6 +51,15 @@ pub struct Built {
     pub overlaps: Vec<Overlap>,
 }
 
+impl Built {
+    /// What a person should know of its objects.
+    pub fn notes(&self) -> impl Iterator<Item = String> + '_ {
+        let dropped = self.dropped.iter().map(|object| format!("{} is left out: {}", object.asset, object.reason));
+        let overlaps = self.overlaps.iter().map(|object| format!("{} passes through {}", object.asset, object.with));
+        dropped.chain(overlaps)
+    }
+}
+
 /// An object that found no place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Dropped {

@@ -23,8 +23,8 @@ mod status;
 
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
-pub use manifest::{Counts, IncludeLock};
-pub use record::{AnnotationRecord, FileRecord, FrameRecord, ViewRecord};
+pub use manifest::{Counts, IncludeLock, ObjectCounts};
+pub use record::{AnnotationRecord, Fate, FileRecord, FrameRecord, Misplaced, ViewRecord};
 pub use seal::Summary;
 pub use status::Status;
 

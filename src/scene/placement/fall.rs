@@ -1,7 +1,7 @@
 //! A body falls through the water onto the ground and what stands there, and comes to rest.
 //!
-//! The falling body is its convex hull, which is exact for what lies on level ground; ground and others are their own
-//! triangles and do not move. One body falls at a time, in one thread: the same bits everywhere.
+//! The falling body is its convex hull, which is exact for what lies on level ground; ground and others are surfaces, a
+//! little coarser than their own, and do not move. Who lets it fall puts right on the true triangles what that leaves over. One body falls at a time, in one thread: the same bits everywhere.
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use rapier3d_f64::math::{Matrix, Pose, Vector};
@@ -19,13 +19,14 @@ const GRAVITY: f64 = 6.0;
 const DRAG: [f64; 2] = [0.4, 1.2];
 const FRICTION: f64 = 0.8;
 /// Step of time, seconds.
-const STEP_S: f64 = 0.01;
+const STEP_S: f64 = 1.0 / 60.0;
 /// Steps after which a body that still moves has failed.
-const MOST_STEPS: u32 = 1200;
+const MOST_STEPS: u32 = 720;
 /// A body at rest moves its outermost points slower than this, m/s, for so many steps.
-const STILL: (f64, u32) = (0.008, 25);
-/// Cells along each side of the ground under it, at most, and the smallest, metres.
-const CELLS: (f64, f64) = (80.0, 0.02);
+const STILL: (f64, u32) = (0.01, 15);
+/// Side of a cell of the ground under it, as a share of its size, and at least, metres. Where it touches the ground itself is
+/// found on its triangles afterwards.
+const CELL: (f64, f64) = (0.13, 0.02);
 /// Sediment gives way under a round thing: its weight acts at least this share of its height off the middle of contact.
 const ROLLING: f64 = 0.06;
 
@@ -43,7 +44,7 @@ impl Drop<'_> {
     /// [`Miss::Restless`] if it does not, or not close by.
     pub fn land(&self, around: &Around) -> Result<DAffine3, Miss> {
         let bounds = self.shape.tree.bounds(&self.world_from_mesh).ok_or(Miss::Restless)?;
-        let patch = Patch::about(&bounds);
+        let patch = Patch::about(&bounds, self.shape.size());
         let mut world = PhysicsWorld::new();
         world.gravity = Vector::new(0.0, 0.0, -GRAVITY);
         world.integration_parameters.dt = STEP_S;
@@ -57,7 +58,7 @@ impl Drop<'_> {
                 world.colliders.insert(fixed(shape).position(pose_of(&other.world_from_mesh)));
             }
         }
-        let (_, hull) = (0, self.hull());
+        let hull = self.hull();
         let body = RigidBodyBuilder::dynamic()
             .pose(pose_of(&self.world_from_mesh))
             .linear_damping(DRAG[0])
@@ -133,16 +134,17 @@ struct Patch {
     middle: DVec2,
     /// Half its side, metres.
     reach: f64,
+    cell: f64,
 }
 
 impl Patch {
-    fn about(bounds: &Box3) -> Self {
+    fn about(bounds: &Box3, size: f64) -> Self {
         let radius = 0.5 * bounds.size().length();
-        Self { middle: bounds.middle().truncate(), reach: 2.0 * radius + 0.6 }
+        Self { middle: bounds.middle().truncate(), reach: 1.6 * radius + 0.6, cell: (CELL.0 * size).max(CELL.1) }
     }
 
     fn collider(&self, around: &Around) -> Result<SharedShape, Miss> {
-        let cells = (2.0 * self.reach / CELLS.1).ceil().min(CELLS.0) as u32;
+        let cells = (2.0 * self.reach / self.cell).ceil() as u32;
         let at = |k: u32| self.reach * (2.0 * f64::from(k) / f64::from(cells) - 1.0);
         let node = |i: u32, j: u32| {
             let (x, y) = (self.middle.x + at(i), self.middle.y + at(j));

@@ -10,8 +10,6 @@ use crate::math::rng::Stream;
 
 /// Hull and triangles are this share of its size apart at most where it lies.
 const LYING: f64 = 0.03;
-/// It is lifted by shares of this of its size, so many times, where rounding has it in the other.
-const LIFTS: (f64, u32) = (1e-3, 12);
 
 /// Let go over another object; it must come to rest on it, off the ground.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,11 +48,7 @@ impl On {
         let low = release.over(middle.truncate() + aside, asking)?;
         let bottom = shape.tree.bounds(&low).ok_or(Miss::NoHold)?.low.z;
         let landed = release.fall(raised(low, (other.bounds.high.z - bottom).max(0.0) + self.drop_m), asking)?;
-        let lift = LIFTS.0 * shape.size();
-        let lies = (0..=LIFTS.1)
-            .map(|k| raised(landed, lift * f64::from(k)))
-            .find(|place| !around.touches(&shape.tree, place, 0.0, &[number]))
-            .ok_or(Miss::NoHold)?;
+        let lies = asking.lifted(landed)?;
         let held = around.touches(&shape.tree, &lies, LYING * shape.size(), &[number]);
         let off_ground = clearance(around.ground, shape, &lies) > LYING * shape.size();
         if held && off_ground { Ok(Candidate { touching: vec![number], ..lies.into() }) } else { Err(Miss::NoHold) }

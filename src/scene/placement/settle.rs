@@ -17,6 +17,9 @@ const HOLLOW: f64 = 0.1;
 /// A body's hull and the triangles of others that it lies on are this share of its size apart at most.
 const LYING: f64 = 0.03;
 
+/// One that fell on others is lifted by so much of its size at a time, so many times, until it is in none.
+const LIFTS: (f64, u32) = (2e-3, 16);
+
 /// Let go about the world's origin, and left to a rigid-body engine: gravity, drag, friction, the shape of the ground. What
 /// has fallen on others stays there only where `clear_m` is 0; else it keeps clear of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,9 +89,8 @@ impl Release {
         if gap <= HOLLOW * shape.size() && around.is_free(&shape.tree, &lies, 0.0, &[]) {
             return Ok(sunk(around.ground, shape, lies, self.burial).into());
         }
-        let objects = asking.objects();
-        let lies = raised(landed, (-gap).max(0.0));
-        let touches = around.touches(&shape.tree, &lies, LYING * shape.size(), &objects);
+        let lies = asking.lifted(raised(landed, (-gap).max(0.0)))?;
+        let touches = around.touches(&shape.tree, &lies, LYING * shape.size(), &asking.objects());
         if touches && clear_m <= 0.0 { Ok(lies.into()) } else { Err(Miss::Restless) }
     }
 
@@ -117,6 +119,12 @@ impl Release {
 }
 
 impl Asking<'_> {
+    /// A body that has come to rest on others, lifted until it is in none of them: it fell on coarser surfaces.
+    pub(super) fn lifted(&self, landed: DAffine3) -> Result<DAffine3, Miss> {
+        let steps = (0..=LIFTS.1).map(|k| raised(landed, LIFTS.0 * self.shape.size() * f64::from(k)));
+        steps.into_iter().find(|place| self.around.is_free(&self.shape.tree, place, 0.0, &[])).ok_or(Miss::NoHold)
+    }
+
     /// How much higher a body must be to be above all objects that it would meet, straight below and above.
     pub(super) fn rise_over(&self, low: &DAffine3) -> f64 {
         let Some(bounds) = self.shape.tree.bounds(low) else { return 0.0 };

@@ -11,7 +11,9 @@ use crate::math::real::{cos, sin};
 use crate::scene::mesh::Mesh;
 
 /// Directions in which the hull's corners are the furthest points.
-const HULL_DIRECTIONS: u32 = 192;
+const HULL_DIRECTIONS: u32 = 60;
+/// Others fall on a surface of vertices that are merged in so many cells along the longest side.
+const COLLIDER_CELLS: f64 = 24.0;
 /// Points lie this share of the longest side apart, at most …
 const SAMPLES_A_SIDE: f64 = 40.0;
 /// … but not closer than this, metres.
@@ -43,8 +45,8 @@ pub(super) struct Balance {
 impl Shape {
     /// Of a mesh.
     pub(crate) fn new(mesh: &Mesh) -> Self {
-        let tree = Tree::of(mesh);
         let bounds = Box3 { low: mesh.low.as_dvec3(), high: mesh.high.as_dvec3() };
+        let tree = Tree::of(mesh).falling_onto(bounds.size().max_element() / COLLIDER_CELLS);
         let apart = (bounds.size().max_element() / SAMPLES_A_SIDE).max(CLOSEST_SAMPLES_M);
         let mut samples: Vec<DVec3> = mesh.vertices().map(|v| v.as_dvec3()).collect();
         let hull = hull(&samples);

@@ -2,10 +2,11 @@
 //!
 //! Exact on the triangles themselves, so that what is placed by it never overlaps. Knows nothing of bodies.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use glam::{DAffine3, DMat3, DVec3};
-use rapier3d_f64::prelude::SharedShape;
+use rapier3d_f64::prelude::{SharedShape, Vector};
 
 use crate::scene::mesh::Mesh;
 use super::triangle::{Triangle, are_closer, nearest, solid_angle};
@@ -19,6 +20,8 @@ pub struct Tree {
     triangles: Vec<Triangle>,
     /// The root first; none of an empty surface.
     nodes: Vec<Node>,
+    /// Side of the cells in which vertices are merged for what falls on it, metres; 0 for none.
+    merged: f64,
     collider: OnceLock<Option<SharedShape>>,
 }
 
@@ -46,7 +49,12 @@ impl Tree {
         if !triangles.is_empty() {
             grow(&mut triangles, 0, &mut nodes);
         }
-        Self { triangles, nodes, collider: OnceLock::new() }
+        Self { triangles, nodes, merged: 0.0, collider: OnceLock::new() }
+    }
+
+    /// With a coarser surface for what falls on it: vertices in one cell of this side become one.
+    pub(super) fn falling_onto(self, merged: f64) -> Self {
+        Self { merged, ..self }
     }
 
     /// Of a mesh.
@@ -134,11 +142,40 @@ impl Tree {
     /// As what a body can fall upon; `None` of an empty surface.
     pub(super) fn collider(&self) -> Option<&SharedShape> {
         let make = || {
-            let corners = self.triangles.iter().flatten().map(|p| rapier3d_f64::math::Vector::new(p.x, p.y, p.z)).collect();
-            let numbers = (0..self.triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+            let (corners, numbers) = self.coarse();
+            let corners = corners.iter().map(|p| Vector::new(p.x, p.y, p.z)).collect();
             SharedShape::trimesh(corners, numbers).ok()
         };
         self.collider.get_or_init(make).as_ref()
+    }
+}
+
+impl Tree {
+    /// Corners and triangles; corners of one cell are one, at their mean, and each triangle comes once.
+    fn coarse(&self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let mut cells: BTreeMap<[i64; 3], (u32, DVec3, f64)> = BTreeMap::new();
+        let mut numbers = BTreeSet::new();
+        for (number, triangle) in self.triangles.iter().enumerate() {
+            let corners = [0, 1, 2].map(|corner: usize| {
+                let point = triangle[corner];
+                // Without merging, every corner is a cell of its own.
+                let whole = |value: f64| (value / self.merged).floor() as i64;
+                let cell = match self.merged {
+                    0.0 => [number as i64, corner as i64, 0],
+                    _ => point.to_array().map(whole),
+                };
+                let next = cells.len() as u32;
+                let entry = cells.entry(cell).or_insert((next, DVec3::ZERO, 0.0));
+                (entry.1, entry.2) = (entry.1 + point, entry.2 + 1.0);
+                entry.0
+            });
+            if corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0] {
+                numbers.insert(corners);
+            }
+        }
+        let mut corners = vec![DVec3::ZERO; cells.len()];
+        cells.values().for_each(|(number, sum, count)| corners[*number as usize] = *sum / *count);
+        (corners, numbers.into_iter().collect())
     }
 }
 
@@ -242,6 +279,15 @@ mod tests {
         let turn = crate::math::Pose::from_angles(DVec3::ZERO, std::f64::consts::FRAC_PI_4, 0.0, 0.0).rotation;
         let turned = |x: f64| DAffine3 { matrix3: turn, translation: DVec3::new(x, 0.0, 0.0) };
         assert!(cube.is_closer(&cube, &turned(1.2), 0.0) && !cube.is_closer(&cube, &turned(1.21), 0.0));
+    }
+
+    #[test]
+    fn a_coarse_surface_keeps_its_size() {
+        let (corners, numbers) = cube().coarse();
+        assert_eq!((corners.len(), numbers.len()), (36, 12));
+        let (corners, numbers) = cube().falling_onto(0.4).coarse();
+        assert_eq!((corners.len(), numbers.len()), (8, 12));
+        assert!(corners.iter().all(|corner| (corner.abs() - 0.5).length() < 1e-12));
     }
 
     #[test]
