@@ -84,7 +84,8 @@ fn placed(facts: &CardFacts<'_>) -> String {
         return text + ".\n";
     }
     let left_out = objects.asked - objects.placed;
-    writeln!(text, ": {left_out} left out, {} pass through others.\n", objects.overlapping).expect("a string takes all text");
+    writeln!(text, ": {left_out} left out, {} pass through others.\n", objects.overlapping)
+        .expect("a string takes all text");
     let rows = fates.into_iter().map(|(misplaced, count)| {
         let fate = match misplaced.fate {
             Fate::LeftOut => "left out",

@@ -1,7 +1,7 @@
 //! From a recipe to a plan: sections drawn scene by scene and frame by frame, models chosen, everything checked.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
@@ -218,7 +218,9 @@ impl Compiler<'_> {
         let parts = scenes.iter().filter_map(|scene| scene.spec.environment.as_ref());
         let labels: BTreeSet<String> = objects.chain(parts.flat_map(|world| world.part_labels(self.assets))).collect();
         for body in scenes.iter().flat_map(|scene| &scene.spec.bodies) {
-            let Some((key, label)) = body.pose.refers_to().filter(|(_, label)| !labels.contains(*label)) else { continue };
+            let Some((key, label)) = body.pose.refers_to().filter(|(_, label)| !labels.contains(*label)) else {
+                continue;
+            };
             let known: Vec<&str> = labels.iter().map(String::as_str).collect();
             let path = format!("objects[{}].pose.{}.{key}", body.item, body.pose.kind());
             let help = recipe::did_you_mean(label, &known);
@@ -246,7 +248,9 @@ impl Compiler<'_> {
         spec.check(self.assets).map_err(|fault| match fault {
             SceneError::Seabed(fault) => self.refuse("seabed", &fault),
             SceneError::Environment(fault) => self.refuse("environment", &fault),
-            SceneError::Body { body, problem, .. } => self.refuse(&format!("objects[{}].pose", spec.bodies[body].item), &problem),
+            SceneError::Body { body, problem, .. } => {
+                self.refuse(&format!("objects[{}].pose", spec.bodies[body].item), &problem)
+            }
             SceneError::Catalog(fault) => self.refuse("objects", &fault),
             SceneError::TooManyBodies { .. } => self.refuse("objects", &fault),
         })

@@ -134,8 +134,7 @@ impl<'a> Worlds<'a> {
             let held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
             held.get(&world).map(|held| held.slot.clone()).unwrap_or_default()
         };
-        let build =
-            || World::build(self.plan, world, self.assets).map(Arc::new).map_err(|error| error.to_string());
+        let build = || World::build(self.plan, world, self.assets).map(Arc::new).map_err(|error| error.to_string());
         slot.get_or_init(build).clone()
     }
 

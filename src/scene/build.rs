@@ -184,7 +184,8 @@ pub fn build_in_view(
     for body in &spec.bodies {
         shapes.push(assets.solid(&body.catalog, &body.uid)?.shape().clone());
     }
-    let search = Search { bodies: &spec.bodies, shapes: &shapes, ground: &world.ground, order: &order, stream: &stream };
+    let search =
+        Search { bodies: &spec.bodies, shapes: &shapes, ground: &world.ground, order: &order, stream: &stream };
     Layout { spec, assets, world: &world, search: &search, views }.build()
 }
 
@@ -299,7 +300,8 @@ impl Layout<'_> {
         let all = &self.spec.bodies;
         let mut next = 0;
         while let Some(&body) = bodies.get(next) {
-            let refers = |other: &usize| all[*other].pose.refers_to().is_some_and(|(_, label)| label == all[body].label);
+            let refers =
+                |other: &usize| all[*other].pose.refers_to().is_some_and(|(_, label)| label == all[body].label);
             let more: Vec<usize> = (0..all.len()).filter(refers).filter(|other| !bodies.contains(other)).collect();
             bodies.extend(more);
             next += 1;

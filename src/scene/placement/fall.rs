@@ -26,7 +26,7 @@ const MOST_STEPS: u32 = 720;
 const STILL: (f64, u32) = (0.01, 15);
 /// Side of a cell of the ground under it, as a share of its size, and at least, metres. Where it touches the ground itself is
 /// found on its triangles afterwards.
-const CELL: (f64, f64) = (0.13, 0.02);
+const CELL: (f64, f64) = (0.2, 0.02);
 /// Sediment gives way under a round thing: its weight acts at least this share of its height off the middle of contact.
 const ROLLING: f64 = 0.06;
 
@@ -52,7 +52,10 @@ impl Drop<'_> {
         world.integration_parameters.length_unit = (0.3 * self.shape.size()).clamp(0.02, 1.0);
         let fixed = |shape: &SharedShape| ColliderBuilder::new(shape.clone()).friction(FRICTION);
         world.colliders.insert(fixed(&patch.collider(around)?));
-        let volume = Box3 { low: patch.middle.extend(f64::MIN) - patch.reach, high: patch.middle.extend(bounds.high.z) + patch.reach };
+        let volume = Box3 {
+            low: patch.middle.extend(f64::MIN) - patch.reach,
+            high: patch.middle.extend(bounds.high.z) + patch.reach,
+        };
         for other in around.taken.iter().filter(|other| other.bounds.meets(&volume)) {
             if let Some(shape) = other.tree.collider() {
                 world.colliders.insert(fixed(shape).position(pose_of(&other.world_from_mesh)));

@@ -40,7 +40,13 @@ impl Plane {
     /// Under a body where it stands: under the rectangle about it along its longest side.
     pub fn under_body(ground: &Ground, shape: &Shape, world_from_mesh: &DAffine3) -> Self {
         let size = shape.bounds.size();
-        let longest = if size.x >= size.y && size.x >= size.z { DVec3::X } else if size.y >= size.z { DVec3::Y } else { DVec3::Z };
+        let longest = if size.x >= size.y && size.x >= size.z {
+            DVec3::X
+        } else if size.y >= size.z {
+            DVec3::Y
+        } else {
+            DVec3::Z
+        };
         let axis = (world_from_mesh.matrix3 * longest).truncate().try_normalize().unwrap_or(DVec2::X);
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for corner in &shape.hull {

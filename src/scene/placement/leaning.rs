@@ -112,7 +112,7 @@ fn is_held(place: &DAffine3, number: usize, asking: &Asking) -> bool {
     let other_from_world = other.world_from_mesh.inverse();
     let above = shape.samples.iter().map(|p| place.transform_point3(*p)).filter(|p| p.z > middle);
     let reach = HELD * shape.size();
-    above.filter(|p| other.bounds.grown(reach).holds(*p)).any(|p| {
-        other.tree.is_near(other_from_world.transform_point3(p), reach)
-    })
+    above
+        .filter(|p| other.bounds.grown(reach).holds(*p))
+        .any(|p| other.tree.is_near(other_from_world.transform_point3(p), reach))
 }

@@ -61,7 +61,8 @@ impl Line {
         };
         let mate = inner.and_then(|inner| asking.mates.get(&inner)).filter(|_| self.rope_m > 0.0);
         let rope = mate.and_then(|&mate| {
-            let (here, there) = (asking.shape.tree.bounds(&world_from_mesh)?.middle(), asking.around.taken[mate].bounds.middle());
+            let (here, there) =
+                (asking.shape.tree.bounds(&world_from_mesh)?.middle(), asking.around.taken[mate].bounds.middle());
             Some(Rope::along(asking.around.ground, here, there, self.rope_m, vec![mate]))
         });
         Ok(Candidate { rope, ..world_from_mesh.into() })

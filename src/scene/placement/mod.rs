@@ -241,6 +241,8 @@ mod tests {
     #[test]
     fn what_is_no_number_is_outside() {
         assert_eq!(outside(&[("a", 1.0, 0.0, 1.0)]), None);
-        assert!(outside(&[("a", 1.0, 0.0, 1.0), ("b", f64::NAN, 0.0, 1.0)]).is_some_and(|text| text.starts_with("b is")));
+        assert!(
+            outside(&[("a", 1.0, 0.0, 1.0), ("b", f64::NAN, 0.0, 1.0)]).is_some_and(|text| text.starts_with("b is"))
+        );
     }
 }

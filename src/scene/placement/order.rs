@@ -18,7 +18,9 @@ pub(in crate::scene) fn order(bodies: &[BodySpec]) -> Result<Vec<usize>, usize> 
         of_item.iter().map(|(&item, members)| (item, waits_for(item, members, bodies, &of_item))).collect();
     while !waits.is_empty() {
         let Some(ready) = waits.iter().find(|(_, others)| others.is_empty()).map(|(&item, _)| item) else {
-            let stuck = waits.keys().find_map(|item| of_item[item].iter().find(|&&body| bodies[body].pose.refers_to().is_some()));
+            let stuck = waits
+                .keys()
+                .find_map(|item| of_item[item].iter().find(|&&body| bodies[body].pose.refers_to().is_some()));
             return Err(stuck.copied().unwrap_or_default());
         };
         waits.remove(&ready);

@@ -89,11 +89,11 @@ mod tests {
 
     #[test]
     fn a_rope_has_its_length_and_thickness() {
-        let points: Vec<DVec3> = (0..=20).map(|k| DVec3::new(0.1 * f64::from(k), 0.0, 0.02 * f64::from(k % 2))).collect();
+        let points: Vec<DVec3> =
+            (0..=20).map(|k| DVec3::new(0.1 * f64::from(k), 0.0, 0.02 * f64::from(k % 2))).collect();
         let part = tube(&points, 0.01);
         let corner = |v: u32| part.positions[v as usize].as_dvec3();
-        let volume: f64 =
-            part.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c))) / 6.0).sum();
+        let volume: f64 = part.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c))) / 6.0).sum();
         // A hexagon in a circle of radius r has 2.598 r².
         let hexagon = 2.598e-4 * 2.0;
         assert!((volume / hexagon - 1.0).abs() < 0.1, "{volume} for {hexagon}");

@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 use glam::{DAffine3, DMat3, DVec3};
 use rapier3d_f64::prelude::{SharedShape, Vector};
 
-use crate::scene::mesh::Mesh;
 use super::triangle::{Triangle, are_closer, nearest, solid_angle};
+use crate::scene::mesh::Mesh;
 
 /// Most triangles in a leaf.
 const LEAF: usize = 4;
@@ -262,9 +262,7 @@ mod tests {
     fn cube() -> Tree {
         let corner = |k: usize| DVec3::new((k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2 & 1) as f64) - 0.5;
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        Tree::new(
-            quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).map(|corners| corners.map(corner)),
-        )
+        Tree::new(quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).map(|corners| corners.map(corner)))
     }
 
     #[test]

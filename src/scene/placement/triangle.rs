@@ -105,7 +105,8 @@ mod tests {
     #[test]
     fn distances_agree_with_a_search() {
         let mut stream = Stream::at(1, "test", 0, "triangles");
-        let mut corner = |away: f64| DVec3::new(stream.uniform(-1.0, 1.0) + away, stream.uniform(-1.0, 1.0), stream.unit());
+        let mut corner =
+            |away: f64| DVec3::new(stream.uniform(-1.0, 1.0) + away, stream.uniform(-1.0, 1.0), stream.unit());
         for round in 0..200 {
             let a: Triangle = std::array::from_fn(|_| corner(0.0));
             let b: Triangle = std::array::from_fn(|_| corner(1.7));
