@@ -115,7 +115,10 @@ fn depth(inner: &Instance, outer: &Bvh, outer_box: (DVec3, DVec3)) -> f64 {
 
 /// The worst that two bodies of a scene are in each other, as a share of the smaller one's longest side.
 fn worst_overlap(world: &World) -> f64 {
-    let all = bodies(world);
+    let mut all = bodies(world);
+    // Parts of a pier are built into each other.
+    let is_model = |body: &Instance| world.scene().bodies[usize::from(body.body) - 1].asset.starts_with("starter/");
+    all.retain(|(_, body)| is_model(body));
     let boxes: Vec<(DVec3, DVec3)> = all.iter().map(|(_, instance)| bounds(&points(instance))).collect();
     let surfaces: Vec<Bvh> = all.iter().map(|(_, body)| Bvh::of([(&*body.mesh, body.world_from_mesh)])).collect();
     let mut worst = 0.0f64;
@@ -320,10 +323,9 @@ fn every_kind_of_pose_is_rendered_once() {
         assert_eq!(shown.len(), spec.len() - 1, "{kind}");
         for (body, (_, instance)) in spec[1..].iter().zip(&shown) {
             assert_eq!(body.pose.kind(), kind);
-            println!("{kind}");
             holds(&body.pose, &world, instance);
         }
-        assert!(worst_overlap(&world) < 0.01 || kind == "attach", "{kind}");
+        assert!(worst_overlap(&world) < 0.01, "{kind}");
         let job = &project.plan.jobs[0];
         let pose = world.sonar_pose(&project.plan.header, job);
         let echoes = Tracer::new(&job.sonar).trace(world.scene(), &pose, Keep::ENERGY);
@@ -340,8 +342,8 @@ fn places(worlds: &[World], label: &str) -> Vec<[u64; 12]> {
     all.map(|(_, instance)| instance.world_from_mesh.to_cols_array().map(f64::to_bits)).collect()
 }
 
-const MIXED: &str = "  - {label: a, pick: {catalog: starter, uid: oil-drum}, count: 2, pose: {settle: {within_m: 6}}}
-  - {label: b, pick: {catalog: starter, uid: rock-1}, count: 2, pose: {rest: {within_m: 6}}}
+const MIXED: &str = "  - {label: a, pick: {catalog: starter, uid: oil-drum}, count: 2, pose: {settle: {within_m: 12}}}
+  - {label: b, pick: {catalog: starter, uid: rock-1}, count: 4, pose: {rest: {within_m: 12}}}
   - {label: c, pick: {catalog: starter, uid: bottle}, count: 3, pose: {float: {school: {}}}}
   - {label: d, pick: {catalog: starter, uid: lobster-pot}, count: 3, pose: line}
 ";
@@ -349,7 +351,8 @@ const MIXED: &str = "  - {label: a, pick: {catalog: starter, uid: oil-drum}, cou
 #[test]
 fn the_same_recipe_places_the_same_bits_on_any_number_of_threads() {
     let desk = Desk::new();
-    let project = project(&desk, 6, &format!("{SEABEDS}\nobjects:\n{MIXED}"));
+    let seabed = SEABEDS.replace("extent_m: 14", "extent_m: 26");
+    let project = project(&desk, 6, &format!("{seabed}\nobjects:\n{MIXED}"));
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let worlds = pool.install(|| worlds(&project));
@@ -505,6 +508,7 @@ fn relations_that_cannot_be_are_refused_at_their_place() {
         &["of: ", "circle"],
     );
     refused(&format!("  - {{{crate_}, on_failure: panic}}"), &["panic", "resample"]);
+    refused(&format!("  - {{{crate_}, pose: attach}}"), &["environment"]);
     refused(&format!("  - {{{crate_}, clear_m: -1}}"), &["clear_m is -1"]);
     refused(&format!("  - {{{crate_}, pose: {{settle: {{drop_m: -1}}}}}}"), &["drop_m is -1"]);
     refused(&format!("  - {{{crate_}, pose: {{leaning: {{against: crate, lean_deg: 90}}}}}}"), &["lean_deg is 90"]);

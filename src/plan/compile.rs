@@ -235,6 +235,13 @@ impl<'a> Compiler<'a> {
 
     /// Refuses labels that no scene of the variant has, where poses refer to them.
     fn check_relations(&self, scenes: &[ScenePlan]) -> Result<(), PlanError> {
+        for scene in scenes.iter().filter(|scene| scene.spec.environment.is_none()) {
+            if let Some(body) = scene.spec.bodies.iter().find(|body| body.pose.needs_environment()) {
+                let help = "add for example `environment: {kind: pier}`, or name a label in `to`";
+                let path = format!("objects[{}].pose", body.item);
+                return Err(self.sections.tree.reject(&path, "there is no `environment` to attach it to", help).into());
+            }
+        }
         let objects = scenes.iter().flat_map(|scene| &scene.spec.bodies).map(|body| body.label.clone());
         let parts = scenes.iter().filter_map(|scene| scene.spec.environment.as_ref());
         let labels: BTreeSet<String> = objects.chain(parts.flat_map(|world| world.part_labels(self.assets))).collect();

@@ -126,6 +126,12 @@ impl PoseSpec {
         }
     }
 
+    /// Whether it can only be in a scene with an environment.
+    #[must_use]
+    pub fn needs_environment(&self) -> bool {
+        matches!(self, Self::Attach(attach) if attach.label().is_none())
+    }
+
     /// One try.
     fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
         match self {

@@ -203,7 +203,7 @@ fn failure(spec: &BodySpec, misses: &BTreeMap<Miss, u32>) -> Failure {
     };
     let reason = match most {
         Some(Miss::Absent) => {
-            let label = spec.pose.refers_to().map_or("", |(_, label)| label);
+            let label = spec.pose.refers_to().map_or("environment", |(_, label)| label);
             format!("there is no `{label}` in this scene to put it by")
         }
         Some(miss) => format!("no free place in {} tries{rounds}; most often {}", spec.tries, miss.words()),

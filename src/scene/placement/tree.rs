@@ -236,6 +236,8 @@ fn grow(triangles: &mut [Triangle], first: usize, nodes: &mut Vec<Node>) {
     let number = nodes.len();
     nodes.push(Node { bounds, first: first as u32, count: 0, second: 0 });
     if triangles.len() <= LEAF {
+        // The halving leaves an order that is the selection's own: only the set is fixed.
+        triangles.sort_unstable_by(compare);
         nodes[number].count = triangles.len() as u32;
         return;
     }
@@ -243,11 +245,19 @@ fn grow(triangles: &mut [Triangle], first: usize, nodes: &mut Vec<Node>) {
     let spread = Box3::about(triangles.iter().map(middle_of)).size();
     let axis = if spread.x >= spread.y && spread.x >= spread.z { 0 } else { 1 + usize::from(spread.z > spread.y) };
     let half = triangles.len() / 2;
-    triangles.select_nth_unstable_by(half, |a, b| middle_of(a)[axis].total_cmp(&middle_of(b)[axis]));
+    let along = |a: &Triangle, b: &Triangle| middle_of(a)[axis].total_cmp(&middle_of(b)[axis]);
+    triangles.select_nth_unstable_by(half, |a, b| along(a, b).then_with(|| compare(a, b)));
     let (lower, upper) = triangles.split_at_mut(half);
     grow(lower, first, nodes);
     nodes[number].second = nodes.len() as u32;
     grow(upper, first + half, nodes);
+}
+
+/// An order of all triangles, by their corners.
+fn compare(a: &Triangle, b: &Triangle) -> std::cmp::Ordering {
+    let numbers = |triangle: &Triangle| triangle.map(|corner| corner.to_array()).into_iter().flatten();
+    let mut pairs = numbers(a).zip(numbers(b)).map(|(a, b)| a.total_cmp(&b));
+    pairs.find(|order| order.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
 }
 
 fn absolute(matrix: DMat3) -> DMat3 {
