@@ -23,7 +23,7 @@ seed: 11
 scenes: {scenes}
 frames: 1
 sonar: {{beams: 64, azimuth_deg: 90, elevation_deg: 30, elevations: 200, range_m: [0.5, 16], range_bins: 256, frequency_khz: 900, mount: {{pitch_deg: -20}}}}
-trajectory: {{hover: {{position_m: [-7, 0, 3]}}}}
+trajectory: {{hover: {{position_m: [-5, -5, 3], yaw_deg: 45}}}}
 {sections}
 "
     )
@@ -242,14 +242,14 @@ fn kinds() -> Vec<String> {
 /// The item of a recipe that shows a kind. Before it come a boulder at a given pose and, in the scene, a pier.
 fn item(kind: &str) -> String {
     let (uid, count, pose) = match kind {
-        "at" => ("crate", 1, "{position_m: [1, 2, 0.5], yaw_deg: 30}"),
+        "at" => ("crate", 1, "{position_m: [2, -1, 0.5], yaw_deg: 30}"),
         "near" => ("crate", 2, "{of: rock, distance_m: 0.3}"),
         "on" => ("scuba-tank", 1, "{of: rock}"),
         "leaning" => ("ladder", 1, "{against: rock, lean_deg: 20}"),
         "attach" => ("bucket", 6, "{to: pile, height_m: {uniform: [0.5, 2]}}"),
         "float" => ("bottom-mine", 2, "{altitude_m: 1.5, within_m: 3}"),
         "line" => ("lobster-pot", 3, "{spacing_m: 2, within_m: 1}"),
-        "cluster" => ("tire", 4, "{radius_m: 1, within_m: 2}"),
+        "cluster" => ("tire", 3, "{radius_m: 1.5, within_m: 2}"),
         _ => ("oil-drum", 3, "{within_m: 3}"),
     };
     format!("{{label: shown, pick: {{catalog: starter, uid: {uid}}}, count: {count}, pose: {{{kind}: {pose}}}}}")
@@ -453,8 +453,8 @@ fn what_must_be_in_view_is_seen_from_its_frames() {
              pose: {{rest: {{within_m: 8}}}}, in_view: {{frames: {more}}}}}]"
         )
     };
-    let looking =
-        recipe(2, "").replace("hover: {position_m: [-7, 0, 3]}", "orbit: {radius_m: 7, altitude_m: 2, arc_deg: 60}");
+    let looking = recipe(2, "")
+        .replace("hover: {position_m: [-5, -5, 3], yaw_deg: 45}", "orbit: {radius_m: 7, altitude_m: 2, arc_deg: 60}");
     for (frames, wanted) in [("all", vec![0, 1, 2]), ("[1]", vec![1])] {
         let text = looking.replace("frames: 1\n", "") + &item(frames);
         let path = desk.file("view.yaml", &text);

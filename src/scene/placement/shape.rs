@@ -120,6 +120,7 @@ fn spread(k: u32, of: u32) -> DVec3 {
     if let Some(axis) = axes.get(k as usize) {
         return *axis;
     }
+    let (k, of) = (k - axes.len() as u32, of - axes.len() as u32);
     let (golden, height) = (PI * (3.0 - 5.0_f64.sqrt()), 1.0 - 2.0 * (f64::from(k) + 0.5) / f64::from(of));
     let across = (1.0 - height * height).sqrt();
     DVec3::new(across * cos(golden * f64::from(k)), across * sin(golden * f64::from(k)), height)

@@ -10,7 +10,7 @@ pub(super) type Triangle = [DVec3; 3];
 /// Sides of a triangle by corner numbers.
 const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 
-/// Whether two triangles cross, or lie closer than `distance` to each other. Those that only touch do not cross.
+/// Whether two triangles cross, or lie closer than `distance` to each other. Those that touch at an edge may count as crossing.
 pub(super) fn are_closer(a: &Triangle, b: &Triangle, distance: f64) -> bool {
     if SIDES.iter().any(|&(i, j)| pierces(a[i], a[j], b)) || SIDES.iter().any(|&(i, j)| pierces(b[i], b[j], a)) {
         return true;
