@@ -146,15 +146,15 @@ fn settled_bodies_keep_out_of_each_other_and_touch_the_bottom() {
     let desk = Desk::new();
     let (mut worst, mut gap, mut placed, mut spent) = (0.0f64, 0.0f64, 0, Duration::ZERO);
     // In most scenes bodies keep 5 cm clear; in the others they may lie on each other, heaped into a small place.
-    for (scenes, clear, within) in [(420, "0.05", 2.5), (80, "0", 0.9)] {
+    for (scenes, clear, within) in [(420, "0.05", 1.8), (80, "0", 0.6)] {
         let items = format!(
-            "objects: [{{pick: {{catalog: starter}}, count: 5, clear_m: {clear}, pose: {{settle: {{within_m: {within}}}}}}}]"
+            "objects: [{{pick: {{catalog: starter}}, count: 3, clear_m: {clear}, pose: {{settle: {{within_m: {within}}}}}}}]"
         );
         let project = project(&desk, scenes, &format!("{SEABEDS}\n{items}"));
         let start = Instant::now();
         let worlds = worlds(&project);
         spent += start.elapsed();
-        assert!(worlds.iter().all(|world| bodies(world).len() + world.built().dropped.len() == 5));
+        assert!(worlds.iter().all(|world| bodies(world).len() + world.built().dropped.len() == 3));
         placed += worlds.iter().map(|world| bodies(world).len()).sum::<usize>();
         worst = worlds.par_iter().map(worst_overlap).collect::<Vec<_>>().into_iter().fold(worst, f64::max);
         for (world, (label, body)) in worlds.iter().flat_map(|world| bodies(world).into_iter().map(move |b| (world, b)))
@@ -168,9 +168,9 @@ fn settled_bodies_keep_out_of_each_other_and_touch_the_bottom() {
             }
         }
     }
-    println!("{placed} of 2500 placed in 500 scenes in {spent:?}; worst overlap {worst:.5}, worst gap {gap:.5} m");
+    println!("{placed} of 1500 placed in 500 scenes in {spent:?}; worst overlap {worst:.5}, worst gap {gap:.5} m");
     assert!(worst < 0.01, "two bodies pass through each other by {worst} of the smaller one's size");
-    assert!(placed >= 2300, "{placed} of 2500");
+    assert!(placed >= 1380, "{placed} of 1500");
 }
 
 /// Share of a body's height that lies below the plane that fits the ground under it best, along the plane's normal.
@@ -248,7 +248,7 @@ fn item(kind: &str) -> String {
         "leaning" => ("ladder", 1, "{against: rock, lean_deg: 20}"),
         "attach" => ("bucket", 6, "{to: pile, height_m: {uniform: [0.5, 2]}}"),
         "float" => ("bottom-mine", 2, "{altitude_m: 1.5, within_m: 3}"),
-        "line" => ("lobster-pot", 3, "{spacing_m: 2, within_m: 1}"),
+        "line" => ("lobster-pot", 3, "{spacing_m: 2.2, within_m: 5}"),
         "cluster" => ("tire", 3, "{radius_m: 1.5, within_m: 2}"),
         _ => ("oil-drum", 3, "{within_m: 3}"),
     };
