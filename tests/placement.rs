@@ -132,10 +132,18 @@ fn worst_overlap(world: &World) -> f64 {
     worst
 }
 
-/// Least height of a body's points above the ground.
+/// Least height of a body's surface above the ground, looked at every three centimetres: a face may lie on a crest.
 fn lowest(world: &World, instance: &Instance) -> f64 {
     let ground = &world.built().ground;
-    points(instance).iter().map(|p| p.z - ground.height(p.x, p.y)).fold(f64::MAX, f64::min)
+    let above = |[a, b, c]: [DVec3; 3]| {
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        let steps = (longest / 0.03).ceil().clamp(1.0, 100.0) as u32;
+        let share = |k: u32| f64::from(k) / f64::from(steps);
+        let grid = (0..=steps).flat_map(move |i| (0..=steps - i).map(move |j| (i, j)));
+        let points = grid.map(move |(i, j)| a + (b - a) * share(i) + (c - a) * share(j));
+        points.map(|p| p.z - ground.height(p.x, p.y)).fold(f64::MAX, f64::min)
+    };
+    triangles(instance).into_iter().map(above).fold(f64::MAX, f64::min)
 }
 
 const SEABEDS: &str = "seabed: {extent_m: 14, cell_m: 0.12, sediment: silt, shape: {choice: [flat, {slope: {angle_deg: 6}}, \
