@@ -80,7 +80,7 @@ fn crossings(surface: &Bvh, from: DVec3, direction: DVec3, reach: f64) -> Vec<f6
 }
 
 /// How deep one body is in another, metres, by three measures, whichever is worst: a point of it that an odd number of
-/// crossings in most of three directions says is inside, by its distance to the surface along the nearest of 26 rays; a side of a
+/// crossings in each of three directions says is inside, by its distance to the surface along the nearest of 26 rays; a side of a
 /// triangle that crosses the surface, by the length between the crossings or from the crossing to its nearer end.
 fn depth(inner: &Instance, outer: &Bvh, outer_box: (DVec3, DVec3)) -> f64 {
     let (low, high) = (outer_box.0, outer_box.1);
@@ -94,7 +94,7 @@ fn depth(inner: &Instance, outer: &Bvh, outer_box: (DVec3, DVec3)) -> f64 {
     let mut deepest = 0.0f64;
     for point in points(inner).iter().filter(|p| within(p)) {
         let odd = askew.iter().filter(|d| crossings(outer, *point, d.normalize(), reach).len() % 2 == 1).count();
-        if odd >= 2 {
+        if odd == askew.len() {
             let nearest = rays.iter().filter_map(|ray| outer.closest(*point, *ray, reach)).map(|hit| hit.distance);
             deepest = deepest.max(nearest.fold(reach, f64::min));
         }
@@ -126,7 +126,11 @@ fn worst_overlap(world: &World) -> f64 {
         let meet = boxes[a].0.cmple(boxes[b].1).all() && boxes[b].0.cmple(boxes[a].1).all();
         if meet {
             let smaller = longest(all[a].1).min(longest(all[b].1));
-            worst = worst.max(depth(all[a].1, &surfaces[b], boxes[b]) / smaller);
+            let share = depth(all[a].1, &surfaces[b], boxes[b]) / smaller;
+            if share > 0.01 {
+                println!("{} in {}: {share}", all[a].0, all[b].0);
+            }
+            worst = worst.max(share);
         }
     }
     worst
