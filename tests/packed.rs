@@ -74,8 +74,8 @@ fn packed_and_loose_datasets_are_one_in_any_number_of_shards_and_threads() {
     }
     let (code, said) = ensonify(&desk, &["diff", "loose", "three"]);
     assert!(code == 0 && said.contains("30 frames are the same"), "{said}");
-    let figures = |folder: &str| desk.run(&["realism", folder, "--json"]).stdout;
-    assert_eq!(figures("loose"), figures("three"), "pictures are read from tar files too");
+    let figures = |folder: &str| String::from_utf8(desk.run(&["realism", "--json", folder]).stdout).expect("text");
+    assert!(figures("loose").len() > 100 && figures("loose").replace("loose", "three") == figures("three"));
 }
 
 #[test]
@@ -125,11 +125,8 @@ fn a_flipped_bit_names_its_member_and_costs_its_frame() {
     let (code, said) = ensonify(&desk, &["verify", "out"]);
     assert_eq!(code, 4, "{said}");
     assert!(said.contains("tars/00000-of-00001-000001.tar/000006.fan.mask.png"), "{said}");
-    let (code, said) = ensonify(&desk, &["verify", "out", "--json"]);
-    let found: Value =
-        serde_json::from_str(said.lines().take_while(|line| *line != "}").chain(["}"]).collect::<String>().as_str())
-            .expect("JSON");
-    assert_eq!((code, &found["frames"]), (4, &serde_json::json!([6])));
+    let found: Value = serde_json::from_slice(&desk.run(&["verify", "out", "--json"]).stdout).expect("JSON");
+    assert_eq!(found["frames"], serde_json::json!([6]));
     let lines = || fs::read_to_string(out.join("shards/00000-of-00001.jsonl")).expect("a journal").lines().count();
     let before = lines();
     done(&desk, &["run", "p.yaml", "-o", "out"]);

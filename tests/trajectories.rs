@@ -83,11 +83,11 @@ fn every_kind_is_rendered_and_its_frames_need_no_order() {
         assert_eq!(example_of(&plan.jobs[0].trajectory), example);
         let render = |id: usize| {
             // A world and tools of its own for each frame: nothing is left over from the frames before.
-            let world = World::build(&plan.scenes[0], &project.assets).expect("a world");
+            let world = World::build(plan, 0, &project.assets).expect("a world");
             Renderer::default().render(header, &plan.jobs[id], &world).expect("a frame")
         };
         let backwards: Vec<_> = (0..6).rev().map(render).collect();
-        let world = World::build(&plan.scenes[0], &project.assets).expect("a world");
+        let world = World::build(plan, 0, &project.assets).expect("a world");
         let mut renderer = Renderer::default();
         let mut grey = 0;
         for (id, other) in backwards.iter().rev().enumerate() {
@@ -126,8 +126,8 @@ scenes: 3";
         for path in paths {
             let text = recipe(path, sections).replace("frames: 6", "frames: 60");
             let project = load(&desk, &text);
-            for (number, scene) in project.plan.scenes.iter().enumerate() {
-                let world = World::build(scene, &project.assets).expect("a world");
+            for number in 0..project.plan.scenes.len() {
+                let world = World::build(&project.plan, number, &project.assets).expect("a world");
                 // What is built on the first question is no part of a frame's time.
                 world.gap(glam::DVec3::ZERO, 0.3);
                 for job in &project.plan.jobs[number * 60..][..60] {
@@ -154,7 +154,7 @@ fn under_a_deck_it_stays_under_the_deck() {
     let pier =
         "seabed: {extent_m: 60, cell_m: 0.4, shape: flat}\nenvironment: {kind: {pier: {out_of_plumb_m: 0, broken: 0}}}";
     let project = load(&desk, &recipe("{hover: {position_m: [2, 1.2, 3]}}", pier));
-    let world = World::build(&project.plan.scenes[0], &project.assets).expect("a world");
+    let world = World::build(&project.plan, 0, &project.assets).expect("a world");
     let station = world.station(&project.plan.header, &project.plan.jobs[0]).expect("a pose");
     assert!(world.gap(glam::DVec3::new(2.0, 1.2, 7.7), 1.0) == 0.0, "there is a deck");
     assert_eq!((station.moved_m, station.pose.position.z), (0.0, 3.0));

@@ -36,8 +36,7 @@ fn world(desk: &Desk, sections: &str) -> (Project, World) {
     let path = desk.file("world.yaml", &recipe(sections));
     let project = Project::load(&Given { path: &path, sets: &[], outside: Outside::Refused })
         .unwrap_or_else(|error| panic!("{sections}: {error}"));
-    let world =
-        World::build(&project.plan.scenes[0], &project.assets).unwrap_or_else(|error| panic!("{sections}: {error}"));
+    let world = World::build(&project.plan, 0, &project.assets).unwrap_or_else(|error| panic!("{sections}: {error}"));
     (project, world)
 }
 

@@ -7,7 +7,7 @@ use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 
 use super::error::CatalogError;
-use super::glb::load_model;
+use super::glb::load_model_in;
 use super::materials;
 use super::model::Model;
 
@@ -41,6 +41,8 @@ pub struct Asset {
     pub label: String,
     /// Words to pick it by.
     pub tags: Vec<String>,
+    /// The catalog's folder, which the model and its buffers must lie in.
+    pub dir: PathBuf,
     /// The model file, the catalog's folder included.
     pub path: PathBuf,
     /// Longest side of the bounding box, metres.
@@ -129,9 +131,9 @@ impl Asset {
     /// The model, up turned to z, scaled so that its longest side is `size_m`, the middle of its base at the origin.
     ///
     /// # Errors
-    /// As [`load_model`].
+    /// As [`load_model_in`].
     pub fn scaled_model(&self) -> Result<Model, CatalogError> {
-        let mut model = load_model(&self.path)?;
+        let mut model = load_model_in(&self.dir, &self.path)?;
         if self.up == Up::Z {
             // The loader took y for up: back to the file's own axes.
             model.map(|p| glam::Vec3::new(p.x, p.z, -p.y));
@@ -182,8 +184,8 @@ impl Columns {
         let tags = tags.split(';').map(str::trim).filter(|tag| !tag.is_empty()).map(String::from).collect();
         let [uid, name, label, material, licence, attribution, source] =
             [uid, name, label, material, licence, attribution, source].map(String::from);
-        let path = dir.join(relative);
-        Ok(Asset { uid, name, label, tags, path, size_m: size, up, material, licence, attribution, source, line })
+        let (dir, path) = (dir.to_path_buf(), dir.join(relative));
+        Ok(Asset { uid, name, label, tags, dir, path, size_m: size, up, material, licence, attribution, source, line })
     }
 }
 

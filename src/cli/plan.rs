@@ -98,7 +98,7 @@ fn explain(out: &mut dyn io::Write, project: &Project, job: &Job) -> anyhow::Res
 /// The bodies of a frame's world, and where its sonar has them.
 fn objects(out: &mut dyn io::Write, project: &Project, job: &Job) -> anyhow::Result<()> {
     let plan = &project.plan;
-    let world = World::build(plan.scene_of(job), &project.assets)?;
+    let world = World::build(plan, plan.world_of(job), &project.assets)?;
     let pose = world.sonar_pose(&plan.header, job)?;
     let [x, y, z, yaw, pitch, roll] = pose_numbers(&pose);
     writeln!(out, "\nsonar at x {x:.2}, y {y:.2}, z {z:.2} m, yaw {yaw:.1}, pitch {pitch:.1}, roll {roll:.1} degrees")?;
@@ -114,8 +114,8 @@ fn objects(out: &mut dyn io::Write, project: &Project, job: &Job) -> anyhow::Res
             view.name()
         )?;
     }
-    for dropped in &world.built().dropped {
-        writeln!(out, "  {} ({}) is left out: {}", dropped.label, dropped.asset, dropped.reason)?;
+    for note in world.built().notes() {
+        writeln!(out, "  {note}")?;
     }
     Ok(())
 }

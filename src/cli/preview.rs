@@ -63,7 +63,7 @@ impl Row {
     fn render(project: &Project, header: &Header, id: u64) -> anyhow::Result<Self> {
         let plan: &Plan = &project.plan;
         let job = &plan.jobs[id as usize];
-        let world = World::build(plan.scene_of(job), &project.assets)?;
+        let world = World::build(plan, plan.world_of(job), &project.assets)?;
         let frame = Renderer::default().render(header, job, &world)?;
         let device = job.sonar.device.as_deref().unwrap_or("sonar");
         let [near, far] = job.sonar.range_m;

@@ -1,10 +1,11 @@
 //! The texts that go with a dataset: its card and whose models are in it.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::{Attribution, FinishInput};
 use crate::label::View;
-use crate::store::{Counts, layout};
+use crate::store::{Counts, Fate, Misplaced, layout};
 
 /// What the card tells of besides [`FinishInput`].
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +18,8 @@ pub(crate) struct CardFacts<'a> {
     pub version: &'a str,
     /// How much there is.
     pub counts: &'a Counts,
+    /// Objects that are not in their scenes, or pass through others, each with how often it came.
+    pub misplaced: &'a BTreeMap<Misplaced, u64>,
 }
 
 /// The dataset card, `README.md`.
@@ -24,6 +27,7 @@ pub(crate) fn readme(facts: &CardFacts<'_>, input: &FinishInput) -> String {
     let sections = [
         format!("# {}\n\n{}\n", facts.name, input.description.trim()),
         how_much(facts.counts, input),
+        placed(facts),
         views(input),
         how_to_load(input),
         how_made(facts, input),
@@ -65,6 +69,29 @@ fn how_much(counts: &Counts, input: &FinishInput) -> String {
         table(&["Split", "Frames"], splits),
         table(&header, labels)
     )
+}
+
+/// How many of the objects asked for are in their scenes; each fate once, with how often it came.
+fn placed(facts: &CardFacts<'_>) -> String {
+    let objects = &facts.counts.objects;
+    if objects.asked == 0 {
+        return String::new();
+    }
+    let mut text = format!("## Objects\n\nPlaced {} of {} objects", objects.placed, objects.asked);
+    if facts.misplaced.is_empty() {
+        return text + ".\n";
+    }
+    let left_out = objects.asked - objects.placed;
+    writeln!(text, ": {left_out} left out, {} pass through others.\n", objects.overlapping)
+        .expect("a string takes all text");
+    let rows = facts.misplaced.iter().map(|(misplaced, count)| {
+        let fate = match misplaced.fate {
+            Fate::LeftOut => "left out",
+            Fate::Overlaps => "overlaps",
+        };
+        vec![misplaced.asset.clone(), count.to_string(), fate.to_owned(), misplaced.reason.clone()]
+    });
+    text + &table(&["Object", "Times", "", "Why"], rows)
 }
 
 fn views(input: &FinishInput) -> String {

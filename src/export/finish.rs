@@ -9,7 +9,10 @@ use super::card::{self, CardFacts};
 use super::coco::{self, Coco};
 use super::frames::Table;
 use crate::label::View;
-use crate::store::{Counts, Dataset, FileRecord, FrameRecord, Sealing, StoreError, Summary, VERSION, layout};
+use crate::store::{
+    Counts, Dataset, Fate, FileRecord, FrameRecord, Misplaced, ObjectCounts, Sealing, StoreError, Summary, VERSION,
+    layout,
+};
 
 /// What the frames' records do not tell.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,6 +29,8 @@ pub struct FinishInput {
     pub categories: Vec<String>,
     /// More rows for the card's table of how the images were made: sonar, ranges …
     pub facts: Vec<(String, String)>,
+    /// Objects that the plan asks for in all scenes.
+    pub objects: u64,
     /// The models in the scenes.
     pub attributions: Vec<Attribution>,
 }
@@ -92,7 +97,8 @@ pub fn finish(dataset: &Dataset, input: &FinishInput, extent: Extent) -> Result<
     let mut derived = annotations(&sealing, dataset, input)?;
     derived.push(sealing.write_with(layout::FRAMES, |out| survey.table.write(out, dataset, &input.views))?);
     let (name, plan_hash, counts) = (dataset.name(), dataset.plan_hash(), &survey.counts);
-    let card = card::readme(&CardFacts { name, plan_hash, version: VERSION, counts }, input);
+    let facts = CardFacts { name, plan_hash, version: VERSION, counts, misplaced: &survey.misplaced };
+    let card = card::readme(&facts, input);
     derived.push(sealing.write_with(layout::CARD, |out| out.write_all(card.as_bytes()))?);
     let attribution = card::attribution(name, &input.attributions);
     derived.push(sealing.write_with(layout::ATTRIBUTION, |out| out.write_all(attribution.as_bytes()))?);
@@ -103,6 +109,8 @@ pub fn finish(dataset: &Dataset, input: &FinishInput, extent: Extent) -> Result<
 struct Survey {
     counts: Counts,
     table: Table,
+    /// Objects that are not in their scenes, or pass through others, each with how often it came.
+    misplaced: BTreeMap<Misplaced, u64>,
 }
 
 fn survey(dataset: &Dataset, input: &FinishInput) -> Result<Survey, FinishError> {
@@ -111,15 +119,17 @@ fn survey(dataset: &Dataset, input: &FinishInput) -> Result<Survey, FinishError>
     let mut counts = Counts {
         frames: input.splits.iter().map(|split| (split.clone(), 0)).collect(),
         annotations: input.views.iter().map(|&view| (view, none.clone())).collect(),
+        objects: ObjectCounts { asked: input.objects, placed: input.objects, overlapping: 0 },
     };
-    let mut table = Table::default();
+    let (mut table, mut misplaced) = (Table::default(), BTreeMap::new());
     for frame in dataset.records() {
         let frame = frame?;
         check(&frame, input)?;
         count(&frame, &mut counts);
         table.columns_of(&frame);
+        frame.misplaced.into_iter().for_each(|object| *misplaced.entry(object).or_default() += 1);
     }
-    Ok(Survey { counts, table })
+    Ok(Survey { counts, table, misplaced })
 }
 
 /// One file for each view and split.
@@ -164,6 +174,13 @@ fn count(frame: &FrameRecord, counts: &mut Counts) {
         let labels = counts.annotations.entry(view).or_default();
         for annotation in &record.annotations {
             *labels.entry(annotation.label.clone()).or_default() += 1;
+        }
+    }
+    let objects = &mut counts.objects;
+    for misplaced in &frame.misplaced {
+        match misplaced.fate {
+            Fate::LeftOut => objects.placed = objects.placed.saturating_sub(1),
+            Fate::Overlaps => objects.overlapping += 1,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! From a recipe to a plan: sections drawn scene by scene and frame by frame, models chosen, everything checked.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::deal::Deal;
@@ -11,7 +11,7 @@ use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, 
 use crate::catalog::{Asset, Catalog, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
-use crate::scene::{AssetCache, BodySpec, EnvironmentSpec, Labels, SceneError, SceneSpec};
+use crate::scene::{AssetCache, BodySpec, EnvironmentSpec, InView, Labels, SceneError, SceneSpec};
 use crate::vehicle::Trajectory;
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
@@ -99,6 +99,7 @@ impl<'a> Compiler<'a> {
 
     /// Adds every scene and frame of the variant to the plan.
     fn scenes(&self, plan: &mut Plan) -> Result<(), PlanError> {
+        let first = plan.scenes.len();
         for index in 0..plan.header.scenes {
             let scene = self.scene(&plan.header, index, &mut plan.assets)?;
             let split = scene.split;
@@ -122,7 +123,7 @@ impl<'a> Compiler<'a> {
                 });
             }
         }
-        Ok(())
+        self.check_relations(&plan.scenes[first..])
     }
 
     pub fn address(&self, scene: u64, level: Level) -> Address {
@@ -144,18 +145,17 @@ impl<'a> Compiler<'a> {
         let split = self.split(header, index)?;
         self.check_labels(header, environment.as_ref())?;
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
-        let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
             let count = self.sections.count(item, &turn(Level::Scene), &mut drawn)?;
             for instance in 0..u64::from(count) {
                 let entry = self.sections.object(item, &turn(Level::Instance(instance)), &mut drawn)?;
                 let purpose = format!("objects[{item}]#{instance}.pick");
                 let mut choice = Stream::at(self.seed, "scene", index, &purpose);
-                spec.bodies.push(self.body(item, entry, &mut Choice { stream: &mut choice, header, split }, locks)?);
-                items.push(item);
+                let choice = &mut Choice { stream: &mut choice, header, split };
+                spec.bodies.push(self.body([item as u64, instance], entry, choice, locks)?);
             }
         }
-        self.check(&spec, &items, locks)?;
+        self.check(&spec, locks)?;
         let (variant, seed) = (self.variant.as_ref().map(|variant| variant.id.clone()), self.seed);
         Ok(ScenePlan { variant, index, seed, split, spec, drawn })
     }
@@ -185,13 +185,14 @@ impl<'a> Compiler<'a> {
     /// dealt out.
     pub fn body(
         &self,
-        item: usize,
+        [item, instance]: [u64; 2],
         entry: ObjectEntry,
         choice: &mut Choice<'_>,
         locks: &mut BTreeMap<String, AssetLock>,
     ) -> Result<BodySpec, PlanError> {
         let refuse = |fault: CatalogError| self.refuse(&format!("objects[{item}].pick"), &fault);
-        let ObjectEntry { label, pick, pose } = entry;
+        let ObjectEntry { label, pick, pose, clear_m, tries, on_failure, in_view } = entry;
+        self.check_frames(item, in_view.as_ref(), choice.header)?;
         let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let matching = catalog.pick(&pick).map_err(refuse)?;
         let dealt = self.dealt(&catalog, &pick.catalog, matching, choice);
@@ -214,7 +215,49 @@ impl<'a> Compiler<'a> {
             catalog: pick.catalog,
             uid: asset.uid.clone(),
             pose,
+            clear_m,
+            tries,
+            on_failure,
+            in_view,
+            item: item as u32,
+            instance: instance as u32,
         })
+    }
+
+    /// Refuses frames that a scene does not have.
+    fn check_frames(&self, item: u64, in_view: Option<&InView>, header: &Header) -> Result<(), PlanError> {
+        match in_view.and_then(InView::last) {
+            Some(last) if last >= header.frames => {
+                let frames = header.frames;
+                let fault = format!("there is no frame {last}: a scene has {frames}, numbered from 0");
+                Err(self.refuse(&format!("objects[{item}].in_view.frames"), &fault))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses labels that no scene of the variant has, where poses refer to them.
+    fn check_relations(&self, scenes: &[ScenePlan]) -> Result<(), PlanError> {
+        for scene in scenes.iter().filter(|scene| scene.spec.environment.is_none()) {
+            if let Some(body) = scene.spec.bodies.iter().find(|body| body.pose.needs_environment()) {
+                let help = "add for example `environment: {kind: pier}`, or name a label in `to`";
+                let path = format!("objects[{}].pose", body.item);
+                return Err(self.sections.tree.reject(&path, "there is no `environment` to attach it to", help).into());
+            }
+        }
+        let objects = scenes.iter().flat_map(|scene| &scene.spec.bodies).map(|body| body.label.clone());
+        let parts = scenes.iter().filter_map(|scene| scene.spec.environment.as_ref());
+        let labels: BTreeSet<String> = objects.chain(parts.flat_map(|world| world.part_labels(self.assets))).collect();
+        for body in scenes.iter().flat_map(|scene| &scene.spec.bodies) {
+            let Some((key, label)) = body.pose.refers_to().filter(|(_, label)| !labels.contains(*label)) else {
+                continue;
+            };
+            let known: Vec<&str> = labels.iter().map(String::as_str).collect();
+            let path = format!("objects[{}].pose.{}.{key}", body.item, body.pose.kind());
+            let help = recipe::did_you_mean(label, &known);
+            return Err(self.sections.tree.reject(&path, &format!("no object has the label `{label}`"), &help).into());
+        }
+        Ok(())
     }
 
     /// Those of the models that scenes of this split may show.
@@ -234,13 +277,8 @@ impl<'a> Compiler<'a> {
         matching.into_iter().filter(|asset| deal.is_in(&asset.uid, choice.split)).collect()
     }
 
-    /// Refuses what building the scene would refuse, with the place in the recipe. `items` tells each body's list item.
-    pub fn check(
-        &self,
-        spec: &SceneSpec,
-        items: &[usize],
-        locks: &mut BTreeMap<String, AssetLock>,
-    ) -> Result<(), PlanError> {
+    /// Refuses what building the scene would refuse, with the place in the recipe.
+    pub fn check(&self, spec: &SceneSpec, locks: &mut BTreeMap<String, AssetLock>) -> Result<(), PlanError> {
         if let Some(seabed) = &spec.seabed {
             materials::sediment(&seabed.sediment).map_err(|fault| self.refuse("seabed.sediment", &fault))?;
             if let Some(file) = seabed.file() {
@@ -258,7 +296,9 @@ impl<'a> Compiler<'a> {
         spec.check(self.assets).map_err(|fault| match fault {
             SceneError::Seabed(fault) => self.refuse("seabed", &fault),
             SceneError::Environment(fault) => self.refuse("environment", &fault),
-            SceneError::Body { body, problem, .. } => self.refuse(&format!("objects[{}].pose", items[body]), &problem),
+            SceneError::Body { body, problem, .. } => {
+                self.refuse(&format!("objects[{}].pose", spec.bodies[body].item), &problem)
+            }
             SceneError::Catalog(fault) => self.refuse("objects", &fault),
             SceneError::TooManyBodies { .. } => self.refuse("objects", &fault),
             SceneError::Track(fault) => self.refuse("trajectory.poses.file", &fault),
@@ -291,7 +331,7 @@ impl<'a> Compiler<'a> {
         self.sections.tree.reject(path, &fault.to_string(), "").into()
     }
 
-    fn unreadable(&self, item: usize, path: &Path, error: &std::io::Error) -> PlanError {
+    fn unreadable(&self, item: u64, path: &Path, error: &std::io::Error) -> PlanError {
         self.refuse(&format!("objects[{item}].pick"), &format!("{} cannot be read: {error}", path.display()))
     }
 }

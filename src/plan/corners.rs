@@ -134,7 +134,7 @@ impl Trial<'_> {
         self.compiler.check_labels(&self.plan.header, world.environment.as_ref())?;
         let (seabed, environment, multipath) = (world.seabed, world.environment, world.multipath);
         let spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
-        self.compiler.check(&spec, &[], &mut self.locks.borrow_mut())
+        self.compiler.check(&spec, &mut self.locks.borrow_mut())
     }
 
     fn frame(&self, corner: &Corner) -> Result<(), PlanError> {
@@ -159,9 +159,9 @@ impl Trial<'_> {
             let mut stream = Stream::at(0, "corner", 0, "pick");
             let mut choice = Choice { stream: &mut stream, header: &self.plan.header, split };
             let locks = &mut self.locks.borrow_mut();
-            let body = self.compiler.body(item, entry.clone(), &mut choice, locks)?;
+            let body = self.compiler.body([item as u64, 0], entry.clone(), &mut choice, locks)?;
             let spec = SceneSpec { bodies: vec![body], ..SceneSpec::default() };
-            self.compiler.check(&spec, &[item], locks)?;
+            self.compiler.check(&spec, locks)?;
         }
         Ok(())
     }

@@ -146,6 +146,13 @@ impl Plan {
         &self.scenes[self.world_of(job)]
     }
 
+    /// The frames of a world, in order.
+    #[must_use]
+    pub fn jobs_of(&self, world: usize) -> &[Job] {
+        let frames = self.header.frames as usize;
+        self.jobs.get(world * frames..(world + 1) * frames).unwrap_or_default()
+    }
+
     /// The plan as JSON: what is written to `plan.json`, and what is hashed.
     ///
     /// # Panics

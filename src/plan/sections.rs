@@ -10,7 +10,7 @@ use super::looks::{self, LookTree};
 use crate::catalog::{Pick, sonars};
 use crate::label::LabelSettings;
 use crate::recipe::{self, Address, Corner, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
-use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
+use crate::scene::{EnvironmentSpec, InView, Multipath, OnFailure, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::{Trajectory, Vehicle};
 
@@ -55,6 +55,14 @@ pub(super) struct ObjectEntry {
     pub pick: Pick,
     /// How it lies.
     pub pose: PoseSpec,
+    /// Free water to any other body, metres.
+    pub clear_m: f64,
+    /// Places tried.
+    pub tries: u32,
+    /// What becomes of it where there is no place.
+    pub on_failure: OnFailure,
+    /// From which frames it must be seen.
+    pub in_view: Option<InView>,
 }
 
 /// A recipe made ready for drawing.

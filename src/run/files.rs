@@ -7,7 +7,8 @@ use super::render::{Frame, pose_numbers};
 use super::world::World;
 use crate::export::{Attribution, FinishInput};
 use crate::plan::{Job, Packing, Plan, Split};
-use crate::store::{FrameRecord, NewFile, ViewRecord, exr, layout, png};
+use crate::scene::Built;
+use crate::store::{Fate, FrameRecord, Misplaced, NewFile, ViewRecord, exr, layout, png};
 
 /// The record of a frame and the files that it brings.
 pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (FrameRecord, Vec<NewFile>) {
@@ -42,6 +43,7 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
         values,
         looks: job.looks.iter().filter_map(|look| look.name.clone()).collect(),
         views,
+        misplaced: if job.frame == 0 { misplaced(world) } else { Vec::new() },
         files: Vec::new(),
     };
     (record, files)
@@ -56,6 +58,24 @@ pub fn finish_facts(project: &Project) -> Vec<u8> {
     let mut text = serde_json::to_vec_pretty(&finish_input(project)).expect("plain data");
     text.push(b'\n');
     text
+}
+
+/// Objects that the scene does not have, or not as it should.
+fn misplaced(world: &World) -> Vec<Misplaced> {
+    let Built { dropped, overlaps, .. } = world.built();
+    let left_out = dropped.iter().map(|object| Misplaced {
+        label: object.label.clone(),
+        asset: object.asset.clone(),
+        fate: Fate::LeftOut,
+        reason: object.reason.clone(),
+    });
+    let through = overlaps.iter().map(|object| Misplaced {
+        label: object.label.clone(),
+        asset: object.asset.clone(),
+        fate: Fate::Overlaps,
+        reason: object.with.clone(),
+    });
+    left_out.chain(through).collect()
 }
 
 /// What annotations, card and attributions say beside the frames.
@@ -74,6 +94,7 @@ pub(super) fn finish_input(project: &Project) -> FinishInput {
         views: plan.header.output.views.clone(),
         splits: Split::ALL.map(|split| split.name().to_owned()).to_vec(),
         categories: categories(project),
+        objects: plan.scenes.iter().map(|scene| scene.spec.bodies.len() as u64).sum(),
         facts: facts(plan),
         attributions: plan.assets.iter().map(attribution).collect(),
     }

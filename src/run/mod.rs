@@ -219,10 +219,9 @@ impl Shift<'_> {
         let job = &plan.jobs[id as usize];
         let world = self.worlds.get(job)?;
         if job.frame == 0 {
-            for dropped in &world.built().dropped {
-                let variant = job.variant.as_ref().map(|id| format!("{id} ")).unwrap_or_default();
-                let what = format!("{variant}scene {}: {} is left out: {}", job.scene, dropped.asset, dropped.reason);
-                self.watch.note(&what);
+            let variant = job.variant.as_ref().map(|id| format!("{id} ")).unwrap_or_default();
+            for note in world.built().notes() {
+                self.watch.note(&format!("{variant}scene {}: {note}", job.scene));
             }
         }
         let frame = renderer.render(&plan.header, job, &world).map_err(|error| error.to_string())?;

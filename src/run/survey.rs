@@ -48,6 +48,8 @@ pub struct Survey {
     pub first_groundless: Option<[f64; 2]>,
     /// Objects that found no place, and why.
     pub dropped: Vec<String>,
+    /// Objects with given poses that pass through others, with their scenes.
+    pub overlaps: Vec<String>,
 }
 
 /// How often bodies of a class are in view: one for each body and frame.
@@ -90,12 +92,16 @@ pub fn survey(project: &Project) -> Result<Survey, SceneError> {
 fn of_scene(project: &Project, number: usize) -> Result<Survey, SceneError> {
     let plan = &project.plan;
     let begun = Instant::now();
-    let world = World::build(&plan.scenes[number], &project.assets)?;
+    let world = World::build(plan, number, &project.assets)?;
     let building_s = begun.elapsed().as_secs_f64();
     let said =
         |dropped: &crate::scene::Dropped| format!("scene {number}: {} is left out: {}", dropped.asset, dropped.reason);
     let dropped = world.built().dropped.iter().map(said).collect();
-    let mut found = Survey { scenes: 1, building_s, dropped, ..Survey::default() };
+    let said = |overlap: &crate::scene::Overlap| {
+        format!("scene {number}: {} at its given pose passes through {}", overlap.asset, overlap.with)
+    };
+    let overlaps = world.built().overlaps.iter().map(said).collect();
+    let mut found = Survey { scenes: 1, building_s, dropped, overlaps, ..Survey::default() };
     let first = number * plan.header.frames as usize;
     for job in &plan.jobs[first..first + plan.header.frames as usize] {
         found.look(&plan.header, job, &world)?;
@@ -140,6 +146,7 @@ impl Survey {
         self.groundless += other.groundless;
         self.first_groundless = self.first_groundless.or(other.first_groundless);
         self.dropped.extend(other.dropped);
+        self.overlaps.extend(other.overlaps);
         for (label, sight) in other.labels {
             self.labels.entry(label).or_default().join(&sight);
         }

@@ -36,7 +36,7 @@ pub fn trial(project: &Project) -> Result<Trial, SceneError> {
             break;
         }
         let job = &plan.jobs[id as usize];
-        let world = World::build(plan.scene_of(job), &project.assets)?;
+        let world = World::build(plan, plan.world_of(job), &project.assets)?;
         let started = Instant::now();
         let frame = renderer.render(&plan.header, job, &world)?;
         let (record, new_files) = files::of_frame(plan, job, &world, frame);

@@ -96,6 +96,7 @@ pub fn of_survey(survey: &Survey) -> Vec<Warning> {
             ),
         );
     }
+    survey.overlaps.iter().take(3).for_each(|overlap| add("overlap", overlap.clone()));
     match &survey.dropped[..] {
         [] => {}
         [only] => add("dropped", format!("{only}; let it lie in a larger `within_m`")),

@@ -6,10 +6,11 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use glam::DVec3;
 
 use crate::math::Pose;
+use crate::math::real::radians;
 use crate::math::rng::Stream;
-use crate::plan::{Header, Job, Plan, ScenePlan};
+use crate::plan::{Header, Job, Plan};
 use crate::scene::bvh::Bvh;
-use crate::scene::{AssetCache, Built, Scene, SceneError, Tracks, build};
+use crate::scene::{AssetCache, Built, Scene, SceneError, Tracks, View, build_in_view};
 use crate::vehicle::{FrameOfRun, Station, Surroundings, Target, TrackError, Voyage};
 
 /// A scene ready to be looked at.
@@ -23,16 +24,35 @@ pub struct World {
 }
 
 impl World {
-    /// Builds a scene as a plan has it.
+    /// Builds a scene of a plan, by its number there; its frames' views decide where objects with `in_view` stand.
     ///
     /// # Errors
     /// See [`SceneError`].
-    pub fn build(scene: &ScenePlan, assets: &AssetCache) -> Result<Self, SceneError> {
-        let seed = scene.seed;
-        let built = build(&scene.spec, assets, seed, scene.index)?;
+    pub fn build(plan: &Plan, number: usize, assets: &AssetCache) -> Result<Self, SceneError> {
+        let scene = &plan.scenes[number];
+        let views = |built: &Built| {
+            let world = Self::of(built.clone(), scene.seed, assets);
+            plan.jobs_of(number).iter().map(|job| world.view(&plan.header, job)).collect::<Result<_, _>>()
+        };
+        let built = build_in_view(&scene.spec, assets, scene.seed, scene.index, &views)?;
+        Ok(Self::of(built, scene.seed, assets))
+    }
+
+    fn of(built: Built, seed: u64, assets: &AssetCache) -> Self {
         let bodies = &built.scene.bodies;
         let targets = bodies.iter().map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
-        Ok(Self { built, seed, targets, sight: OnceLock::new(), tracks: assets.tracks().clone() })
+        Self { built, seed, targets, sight: OnceLock::new(), tracks: assets.tracks().clone() }
+    }
+
+    /// What a job's sonar insonifies.
+    fn view(&self, header: &Header, job: &Job) -> Result<View, SceneError> {
+        let sonar = &job.sonar;
+        Ok(View {
+            world_from_sonar: self.sonar_pose(header, job)?,
+            range_m: sonar.range_m,
+            half_azimuth: radians(0.5 * sonar.azimuth_deg),
+            half_elevation: radians(0.5 * sonar.elevation_deg),
+        })
     }
 
     /// The geometry.
@@ -147,8 +167,7 @@ impl<'a> Worlds<'a> {
             let held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
             held.get(&world).map(|held| held.slot.clone()).unwrap_or_default()
         };
-        let build =
-            || World::build(&self.plan.scenes[world], self.assets).map(Arc::new).map_err(|error| error.to_string());
+        let build = || World::build(self.plan, world, self.assets).map(Arc::new).map_err(|error| error.to_string());
         slot.get_or_init(build).clone()
     }
 

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::environment::{Environment, EnvironmentSpec};
 use super::mesh::Mesh;
+use super::placement::Shape;
 use super::seabed::{Raster, SeabedError};
 use crate::catalog::materials::{UNKNOWN, material_in_name};
 use crate::catalog::{Catalog, CatalogError, find_catalog};
@@ -18,6 +19,14 @@ pub struct Solid {
     pub mesh: Arc<Mesh>,
     /// For each material slot of the mesh, a name in the table of materials.
     pub materials: Vec<String>,
+    shape: OnceLock<Arc<Shape>>,
+}
+
+impl Solid {
+    /// What placing needs to know of it; made on first use.
+    pub(super) fn shape(&self) -> &Arc<Shape> {
+        self.shape.get_or_init(|| Arc::new(Shape::new(&self.mesh)))
+    }
 }
 
 /// What scenes are built from, and files of poses beside it.
@@ -71,7 +80,7 @@ impl AssetCache {
             let mesh = Mesh::from_parts(&asset.scaled_model()?.parts);
             let otherwise = if asset.material.is_empty() { UNKNOWN } else { &asset.material };
             let materials = mesh.materials.iter().map(|name| material_in_name(name).unwrap_or(otherwise).into());
-            Ok(Solid { materials: materials.collect(), mesh: Arc::new(mesh) })
+            Ok(Solid { materials: materials.collect(), mesh: Arc::new(mesh), shape: OnceLock::new() })
         })
     }
 

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::assets::AssetCache;
+use super::bvh::Bvh;
 use super::environment::{Environment, EnvironmentError, EnvironmentSpec, Source, Surface};
 use super::ground::Ground;
 use super::multipath::Multipath;
-use super::placement::{Around, Footprint, PoseSpec, Standing, TRIES, bounds};
+use super::placement::{Before, BodySpec, OnFailure, ROPE, Search, Standing, View, Whose, is_seen, order};
 use super::seabed::{SeabedError, SeabedSpec};
 use super::{Body, Instance, Material, Mesh, Scene};
 use crate::catalog::CatalogError;
@@ -40,20 +41,6 @@ pub struct SceneSpec {
     pub bodies: Vec<BodySpec>,
 }
 
-/// An object to place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BodySpec {
-    /// Category in the annotations.
-    pub label: String,
-    /// Name or folder of a catalog.
-    pub catalog: String,
-    /// Model of the catalog.
-    pub uid: String,
-    /// Where it stands.
-    pub pose: PoseSpec,
-}
-
 /// A scene, the ground in it, and what found no place.
 #[derive(Clone, Debug)]
 pub struct Built {
@@ -63,6 +50,17 @@ pub struct Built {
     pub ground: Ground,
     /// Objects that are not in the scene.
     pub dropped: Vec<Dropped>,
+    /// Objects with given poses that pass through others, or through structures.
+    pub overlaps: Vec<Overlap>,
+}
+
+impl Built {
+    /// What a person should know of its objects.
+    pub fn notes(&self) -> impl Iterator<Item = String> + '_ {
+        let dropped = self.dropped.iter().map(|object| format!("{} is left out: {}", object.asset, object.reason));
+        let overlaps = self.overlaps.iter().map(|object| format!("{} passes through {}", object.asset, object.with));
+        dropped.chain(overlaps)
+    }
 }
 
 /// An object that found no place.
@@ -76,6 +74,19 @@ pub struct Dropped {
     pub asset: String,
     /// Why.
     pub reason: String,
+}
+
+/// An object with a given pose that passes through something.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Overlap {
+    /// Index into [`SceneSpec::bodies`].
+    pub body: usize,
+    /// Its category.
+    pub label: String,
+    /// Catalog and uid.
+    pub asset: String,
+    /// Catalog and uid of the other, or `the environment`.
+    pub with: String,
 }
 
 /// A scene that cannot be built.
@@ -133,30 +144,68 @@ impl SceneSpec {
             return Err(SceneError::TooManyBodies { count: self.bodies.len() });
         }
         for (body, spec) in self.bodies.iter().enumerate() {
-            if let Some(problem) = spec.pose.fault() {
+            if let Some(problem) = spec.fault() {
                 return Err(SceneError::Body { body, label: spec.label.clone(), problem });
             }
             assets.solid(&spec.catalog, &spec.uid)?;
         }
-        Ok(())
+        order(&self.bodies).map(|_| ()).map_err(|body| {
+            let (key, label) = self.bodies[body].pose.refers_to().unwrap_or_default();
+            let problem = format!(
+                "`{key}: {label}` goes in a circle: what it refers to waits, by way of others, for this object; place one of \
+                 them by itself"
+            );
+            SceneError::Body { body, label: self.bodies[body].label.clone(), problem }
+        })
     }
 }
 
-/// Builds a scene. The same specification, models, seed and scene index give the same bits.
+/// Builds a scene that is not looked at from anywhere yet. The same specification, models, seed and scene index give the
+/// same bits.
 ///
-/// Objects that rest are placed after those with a given pose, else in their order. An object that finds no free place
-/// is left out and listed in [`Built::dropped`]. Objects with given poses stand there whatever else does.
+/// # Errors
+/// As [`build_in_view`]; objects with `in_view` cannot be placed by it.
+pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64) -> Result<Built, SceneError> {
+    build_in_view(spec, assets, seed, scene_index, &|_| Ok(Vec::new()))
+}
+
+/// Builds a scene that is looked at: `views` tells, for a scene as it is then, what the sonar sees in each frame.
+///
+/// Objects with a given pose stand there whatever else does; what they pass through is listed in [`Built::overlaps`]. All
+/// others keep clear of everything, or are left out and listed in [`Built::dropped`]. The same specification, models,
+/// seed, scene index and views give the same bits.
 ///
 /// # Errors
 /// See [`SceneError`].
-pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64) -> Result<Built, SceneError> {
+pub fn build_in_view(
+    spec: &SceneSpec,
+    assets: &AssetCache,
+    seed: u64,
+    scene_index: u64,
+    views: &dyn Fn(&Built) -> Result<Vec<View>, SceneError>,
+) -> Result<Built, SceneError> {
     spec.check(assets)?;
+    let stream = |purpose: &str| Stream::at(seed, "scene", scene_index, purpose);
+    let world = world(spec, assets, &stream)?;
+    // The check has found every order.
+    let order = order(&spec.bodies).unwrap_or_default();
+    let mut shapes = Vec::new();
+    for body in &spec.bodies {
+        shapes.push(assets.solid(&body.catalog, &body.uid)?.shape().clone());
+    }
+    let search =
+        Search { bodies: &spec.bodies, shapes: &shapes, ground: &world.ground, order: &order, stream: &stream };
+    Layout { spec, assets, world: &world, search: &search, views }.build()
+}
+
+/// Seabed and environment.
+fn world(spec: &SceneSpec, assets: &AssetCache, stream: &dyn Fn(&str) -> Stream) -> Result<Built, SceneError> {
     let mut ground = Ground::default();
     let mut builder = Builder::default();
     builder.scene.mirrors = spec.multipath.iter().flat_map(Multipath::mirrors).collect();
-    builder.scene.texture_seed = Stream::at(seed, "scene", scene_index, "texture").bits();
+    builder.scene.texture_seed = stream("texture").bits();
     if let Some(seabed) = &spec.seabed {
-        let grid = seabed.build(assets, &mut Stream::at(seed, "scene", scene_index, "seabed"))?;
+        let grid = seabed.build(assets, &mut stream("seabed"))?;
         let sediments: Vec<Surface> = grid.sediments().iter().cloned().map(Surface::Sediment).collect();
         builder.add(Arc::new(grid.mesh()), DAffine3::IDENTITY, 0, &sediments)?;
         ground.seabed = Some(Arc::new(grid));
@@ -165,8 +214,8 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
         let world = match environment.source()? {
             Source::Glb(glb) => assets.environment(environment, glb)?,
             Source::Kind(kind) => {
-                let mut stream = Stream::at(seed, "scene", scene_index, "environment");
-                Arc::new(Environment::generate(kind, environment.labels, ground.seabed.as_deref(), &mut stream))
+                let seabed = ground.seabed.as_deref();
+                Arc::new(Environment::generate(kind, environment.labels, seabed, &mut stream("environment")))
             }
         };
         for thing in &world.things {
@@ -178,46 +227,133 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
         }
         ground.environment = Some(world);
     }
-    let stream = |body: usize| Stream::at(seed, "scene", scene_index, &format!("bodies[{body}].place"));
-    let places = place(spec, assets, &ground, &stream)?;
-    let mut dropped = Vec::new();
-    for (number, (body, standing)) in spec.bodies.iter().zip(places).enumerate() {
-        let asset = asset_name(body);
-        let Some(standing) = standing else {
-            let reason = format!("no free place on the ground in {TRIES} tries");
-            dropped.push(Dropped { body: number, label: body.label.clone(), asset, reason });
-            continue;
-        };
-        let solid = assets.solid(&body.catalog, &body.uid)?;
-        let surfaces: Vec<Surface> = solid.materials.iter().cloned().map(Surface::Material).collect();
-        let id = builder.body(&body.label, asset, &solid.mesh, &standing.world_from_mesh)?;
-        builder.add(solid.mesh.clone(), standing.world_from_mesh, id, &surfaces)?;
-    }
-    Ok(Built { scene: builder.scene, ground, dropped })
+    Ok(Built { scene: builder.scene, ground, dropped: Vec::new(), overlaps: Vec::new() })
 }
 
-/// A place for each body; given poses first, so that what rests keeps clear of them.
-fn place(
-    spec: &SceneSpec,
-    assets: &AssetCache,
-    ground: &Ground,
-    stream: &dyn Fn(usize) -> Stream,
-) -> Result<Vec<Option<Standing>>, SceneError> {
-    let mut places: Vec<Option<Standing>> = vec![None; spec.bodies.len()];
-    let mut taken: Vec<Footprint> = ground.environment.iter().flat_map(|world| world.footprints.clone()).collect();
-    let rests = |pose: &PoseSpec| matches!(pose, PoseSpec::Rest(_));
-    let mut order: Vec<usize> = (0..spec.bodies.len()).collect();
-    order.sort_by_key(|&body| rests(&spec.bodies[body].pose));
-    for body in order {
-        let BodySpec { catalog, uid, pose, .. } = &spec.bodies[body];
-        let mesh = &assets.solid(catalog, uid)?.mesh;
-        places[body] = match pose {
-            PoseSpec::At(at) => Some(at.stand(mesh)),
-            PoseSpec::Rest(rest) => rest.stand(mesh, &Around { ground, taken: &taken }, &mut stream(body)),
-        };
-        taken.extend(places[body].iter().map(|standing| standing.footprint.clone()));
+/// Most often that a scene is laid out again for objects that are not in view.
+const LAYOUTS: u32 = 8;
+
+/// A scene on its way.
+struct Layout<'a> {
+    spec: &'a SceneSpec,
+    assets: &'a AssetCache,
+    /// Without objects.
+    world: &'a Built,
+    search: &'a Search<'a>,
+    views: &'a dyn Fn(&Built) -> Result<Vec<View>, SceneError>,
+}
+
+/// A place, or why there is none.
+type Place = Result<Standing, String>;
+
+impl Layout<'_> {
+    /// Lays out every object; again those that are not in view, for where the sonar goes may depend on the objects.
+    fn build(&self) -> Result<Built, SceneError> {
+        let bodies = &self.spec.bodies;
+        let watched = bodies.iter().position(|body| body.in_view.is_some());
+        let mut views = if watched.is_some() { (self.views)(self.world)? } else { Vec::new() };
+        if let (Some(body), true) = (watched, views.is_empty()) {
+            let problem = "in_view needs frames, and this scene has none".to_owned();
+            return Err(SceneError::Body { body, label: bodies[body].label.clone(), problem });
+        }
+        let mut again = vec![0; bodies.len()];
+        let mut kept: Vec<Option<Standing>> = vec![None; bodies.len()];
+        let mut out = std::collections::BTreeMap::new();
+        loop {
+            let before = Before { kept: &kept, again: &again, views: &views };
+            let laid = self.search.lay(&before).into_iter().enumerate();
+            let places: Vec<Place> = laid
+                .map(|(body, place)| match out.get(&body) {
+                    Some(reason) => Err(String::clone(reason)),
+                    None => place.map_err(|failure| failure.reason),
+                })
+                .collect();
+            let built = self.assemble(&places)?;
+            if watched.is_none() {
+                return Ok(built);
+            }
+            views = (self.views)(&built)?;
+            let unseen = self.unseen(&built, &places, &views);
+            if unseen.is_empty() {
+                return Ok(built);
+            }
+            for &body in &unseen {
+                again[body] += 1;
+                if again[body] >= LAYOUTS {
+                    out.insert(body, format!("it is not in view from where it was placed, {LAYOUTS} times"));
+                }
+            }
+            kept = places.into_iter().map(Result::ok).collect();
+            self.with_those_that_refer_to(unseen).into_iter().for_each(|body| kept[body] = None);
+        }
     }
-    Ok(places)
+
+    /// Objects that are placed but not seen in the frames that they ask for.
+    fn unseen(&self, built: &Built, places: &[Place], views: &[View]) -> Vec<usize> {
+        let beside = built.scene.instances.iter().skip(usize::from(built.ground.seabed.is_some()));
+        let beside = Bvh::of(beside.map(|instance| (&*instance.mesh, instance.world_from_mesh)));
+        let mut number = self.world.scene.bodies.len() as u16;
+        let mut unseen = Vec::new();
+        for (body, spec) in self.spec.bodies.iter().enumerate().filter(|(body, _)| places[*body].is_ok()) {
+            number += 1;
+            let wanted = spec.in_view.as_ref().map_or_else(Vec::new, |in_view| in_view.of(views));
+            if !is_seen(&built.scene, &built.ground, number, &wanted, &beside) {
+                unseen.push(body);
+            }
+        }
+        unseen
+    }
+
+    /// Objects, and all whose poses refer to something with their labels, by way of others too.
+    fn with_those_that_refer_to(&self, mut bodies: Vec<usize>) -> Vec<usize> {
+        let all = &self.spec.bodies;
+        let mut next = 0;
+        while let Some(&body) = bodies.get(next) {
+            let refers =
+                |other: &usize| all[*other].pose.refers_to().is_some_and(|(_, label)| label == all[body].label);
+            let more: Vec<usize> = (0..all.len()).filter(refers).filter(|other| !bodies.contains(other)).collect();
+            bodies.extend(more);
+            next += 1;
+        }
+        bodies
+    }
+
+    /// The scene with its objects where they stand.
+    fn assemble(&self, places: &[Place]) -> Result<Built, SceneError> {
+        let Built { scene, ground, .. } = self.world;
+        let mut builder = Builder { scene: scene.clone() };
+        let (mut dropped, mut overlaps) = (Vec::new(), Vec::new());
+        for (number, (body, place)) in self.spec.bodies.iter().zip(places).enumerate() {
+            let (label, asset) = (body.label.clone(), asset_name(body));
+            let standing = match place {
+                Ok(standing) => standing,
+                Err(reason) if body.on_failure == OnFailure::Fail => {
+                    let problem = format!("{asset} cannot be placed, and `on_failure` is `fail`: {reason}");
+                    return Err(SceneError::Body { body: number, label, problem });
+                }
+                Err(reason) => {
+                    dropped.push(Dropped { body: number, label, asset, reason: reason.clone() });
+                    continue;
+                }
+            };
+            overlaps.extend(standing.overlaps.iter().map(|whose| {
+                let with = match whose {
+                    Whose::Object(other) => asset_name(&self.spec.bodies[*other]),
+                    Whose::Part(_) => "the environment".to_owned(),
+                    Whose::Rope => "a rope".to_owned(),
+                };
+                Overlap { body: number, label: label.clone(), asset: asset.clone(), with }
+            }));
+            let solid = self.assets.solid(&body.catalog, &body.uid)?;
+            let surfaces: Vec<Surface> = solid.materials.iter().cloned().map(Surface::Material).collect();
+            let id = builder.body(&body.label, asset, &solid.mesh, &standing.world_from_mesh)?;
+            builder.add(solid.mesh.clone(), standing.world_from_mesh, id, &surfaces)?;
+            if let Some(rope) = &standing.rope {
+                builder.add(rope.clone(), DAffine3::IDENTITY, 0, &[Surface::Material(ROPE.into())])?;
+            }
+        }
+        Ok(Built { scene: builder.scene, ground: ground.clone(), dropped, overlaps })
+    }
 }
 
 /// Catalog and uid; of a catalog given as a folder, the folder's own name.
@@ -247,7 +383,8 @@ impl Builder {
     /// Number of a new body.
     fn body(&mut self, label: &str, asset: String, mesh: &Mesh, world_from_mesh: &DAffine3) -> Result<u16, SceneError> {
         let vertices: Vec<DVec3> = mesh.vertices().map(|v| world_from_mesh.transform_point3(v.as_dvec3())).collect();
-        let (low, high) = bounds(&vertices);
+        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = vertices.iter().fold(nothing, |(low, high), p| (low.min(*p), high.max(*p)));
         let (centre, radius) = (0.5 * (low + high), 0.5 * (high - low).length());
         self.scene.bodies.push(Body { label: label.into(), asset, centre, radius });
         let count = self.scene.bodies.len();

@@ -17,13 +17,13 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 pub use assets::{AssetCache, Tracks};
-pub use build::{BodySpec, Built, Dropped, SceneError, SceneSpec, build};
+pub use build::{Built, Dropped, Overlap, SceneError, SceneSpec, build, build_in_view};
 pub use bvh::{Bvh, Hit};
 pub use environment::{EnvironmentError, EnvironmentSpec, Kind, Labels};
 pub use ground::Ground;
 pub use mesh::{Cluster, Mesh};
 pub use multipath::{Mirror, Multipath};
-pub use placement::{At, PoseSpec, Rest};
+pub use placement::{At, BodySpec, InView, OnFailure, PoseSpec, Rest, View};
 pub use seabed::{HeightGrid, SeabedSpec};
 
 /// A mesh at a place in the world.

@@ -131,6 +131,7 @@ mod tests {
             pose: [0.1 + 0.2, -1.0 / 3.0, 2.225_073_858_507_201e-308, 1e22 / 3.0, 179.999_999_999_999_97, -0.0],
             time_s: 1.0 / 3.0,
             moved_m: 0.0,
+            misplaced: Vec::new(),
             values: BTreeMap::from([("a \"b\" } , ü".to_owned(), serde_json::json!(["x", 1.0 / 49.0, 7, null]))]),
             looks: Vec::new(),
             views: BTreeMap::new(),

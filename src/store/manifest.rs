@@ -61,6 +61,20 @@ pub struct Counts {
     pub frames: BTreeMap<String, u64>,
     /// Annotations of each view and category.
     pub annotations: BTreeMap<View, BTreeMap<String, u64>>,
+    /// What became of the objects that were asked for.
+    #[serde(default)]
+    pub objects: ObjectCounts,
+}
+
+/// Objects of all scenes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ObjectCounts {
+    /// Asked for.
+    pub asked: u64,
+    /// In their scenes.
+    pub placed: u64,
+    /// Of those, at given poses where they pass through others.
+    pub overlapping: u64,
 }
 
 impl Manifest {

@@ -36,6 +36,9 @@ pub struct FrameRecord {
     pub looks: Vec<String>,
     /// What is seen in each view that was written; the same in every look.
     pub views: BTreeMap<View, ViewRecord>,
+    /// Objects of the scene that are not placed well: told in its first frame alone.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misplaced: Vec<Misplaced>,
     /// The frame's files; [`Store::commit`](super::Store::commit) fills this in.
     pub files: Vec<FileRecord>,
 }
@@ -68,6 +71,30 @@ pub struct AnnotationRecord {
     pub area: u32,
     /// COCO's compressed run lengths of the visible pixels.
     pub rle: String,
+}
+
+/// An object that is not in its scene, or passes through something.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Misplaced {
+    /// Category.
+    pub label: String,
+    /// Catalog and uid of the model.
+    pub asset: String,
+    /// What became of it.
+    pub fate: Fate,
+    /// Why it was left out, or what it passes through.
+    pub reason: String,
+}
+
+/// What became of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Fate {
+    /// It found no place.
+    LeftOut,
+    /// It stands at a given pose, where other things are.
+    Overlaps,
 }
 
 /// One file of a dataset.

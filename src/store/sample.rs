@@ -50,6 +50,7 @@ pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
             ("seabed.sediment".to_owned(), json!("fine, \"sand\"")),
         ]),
         looks: Vec::new(),
+        misplaced: Vec::new(),
         views: BTreeMap::from([View::Polar, View::Fan].map(|view| (view, ViewRecord::new(&labels, &bodies)))),
         files: Vec::new(),
     };

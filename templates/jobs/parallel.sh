@@ -3,6 +3,6 @@
 # share this folder. Run again, it goes on where it stopped.
 set -eu
 ensonify="${ENSONIFY:-ensonify}"
-parallel --jobs "${PARALLEL_JOBS:-2}" --retries 2 --joblog {{joblog}} --termseq TERM,5000,KILL \
+parallel --quote --jobs "${PARALLEL_JOBS:-2}" --retries 2 --joblog {{joblog}} --termseq TERM,5000,KILL \
   "$ensonify" run {{recipe}} -o {{dir}}{{sets}} --shard '{}/{{shards}}' --jobs {{cpus}} ::: $(seq 0 {{last}})
 exec "$ensonify" finish {{dir}}

@@ -15,6 +15,7 @@ fn input() -> FinishInput {
         splits: ["train", "val", "test"].map(str::to_owned).to_vec(),
         categories: ["tire", "anchor", "crab pot"].map(str::to_owned).to_vec(),
         facts: vec![("Sonar".to_owned(), "512 beams".to_owned())],
+        objects: 6,
         attributions: vec![Attribution {
             uid: "starter/tire".to_owned(),
             name: "Tire".to_owned(),

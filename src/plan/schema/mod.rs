@@ -240,6 +240,9 @@ fn form_of(path: &str) -> Value {
             json!({"enum": ["objects", "origin"]}),
             json!({"type": "array", "items": number, "minItems": 3, "maxItems": 3}),
         ]),
+        Some("frames") => {
+            either(vec![json!({"enum": ["all"]}), json!({"type": "array", "items": {"type": "integer"}})])
+        }
         Some("uid") => either(vec![json!({"type": "string"}), json!({"type": "array", "items": {"type": "string"}})]),
         _ => json!({}),
     }

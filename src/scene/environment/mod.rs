@@ -29,7 +29,7 @@ pub use tank::Tank;
 use super::assets::AssetCache;
 use super::bvh::Bvh;
 use super::mesh::Mesh;
-use super::placement::Footprint;
+use super::placement::Tree;
 use super::seabed::HeightGrid;
 use crate::catalog::materials::{self, UNKNOWN, material_in_name};
 use crate::catalog::{CatalogError, Part, load_model};
@@ -107,8 +107,6 @@ pub enum EnvironmentError {
 pub struct Environment {
     /// Background first, else in file order.
     pub things: Vec<Thing>,
-    /// What it takes of the ground: nothing comes to rest there.
-    pub(super) footprints: Vec<Footprint>,
     bvh: OnceLock<Bvh>,
 }
 
@@ -125,6 +123,7 @@ pub struct Thing {
     pub materials: Vec<Surface>,
     /// Whether it is ground.
     pub role: Role,
+    tree: OnceLock<Tree>,
 }
 
 /// What a thing of an environment is to what rests and moves in it.
@@ -159,7 +158,7 @@ impl Environment {
         parts.sort_by_key(|part| part.node_number);
         let mut things: Vec<Thing> = parts.chunk_by(same_node).map(|parts| Thing::new(spec, parts)).collect();
         things.sort_by_key(|thing| thing.label.is_some());
-        Ok(Self { things, footprints: Vec::new(), bvh: OnceLock::new() })
+        Ok(Self { things, bvh: OnceLock::new() })
     }
 
     /// Generates a kind on a seabed. The same stream gives the same bits.
@@ -170,9 +169,9 @@ impl Environment {
         let site = Site { ground: &ground, foot: (lowest - 1.0).min(-4.0), bottom, labels };
         let mut structure = Structure::new(&site);
         kind.raise(&mut structure, stream);
-        let Structure { mut things, footprints, .. } = structure;
+        let Structure { mut things, .. } = structure;
         things.sort_by_key(|thing| thing.label.is_some());
-        Self { things, footprints, bvh: OnceLock::new() }
+        Self { things, bvh: OnceLock::new() }
     }
 
     /// Its ground, for rays; built on first use.
@@ -226,6 +225,15 @@ impl std::fmt::Debug for Environment {
 }
 
 impl Thing {
+    fn made(mesh: Arc<Mesh>, node: String, label: Option<String>, materials: Vec<Surface>, role: Role) -> Self {
+        Self { mesh, node, label, materials, role, tree: OnceLock::new() }
+    }
+
+    /// Its surface, for what must not pass through it; built on first use.
+    pub(super) fn tree(&self) -> &Tree {
+        self.tree.get_or_init(|| Tree::of(&self.mesh))
+    }
+
     fn new(spec: &EnvironmentSpec, parts: &[Part]) -> Self {
         let mesh = Mesh::from_parts(parts);
         let (node, category) = parts.first().map_or(("", ""), |part| (&part.node, &part.category));
@@ -243,7 +251,7 @@ impl Thing {
             None => Surface::Material(UNKNOWN.into()),
         };
         let materials = mesh.materials.iter().map(surface).collect();
-        Self { mesh: Arc::new(mesh), node: node.to_string(), label, materials, role: Role::Ground }
+        Self::made(Arc::new(mesh), node.to_string(), label, materials, Role::Ground)
     }
 }
 

@@ -13,18 +13,15 @@ use crate::math::real::{cos, sin};
 pub(super) struct Solid {
     pub positions: Vec<DVec3>,
     pub triangles: Vec<[u32; 3]>,
-    /// Direction in plan of its longest side.
-    pub axis: DVec2,
 }
 
 impl Solid {
     /// A box along the axes of the world.
     pub fn block(low: DVec3, high: DVec3) -> Self {
-        let (x, y) = ((high.x - low.x).abs(), (high.y - low.y).abs());
+        let y = (high.y - low.y).abs();
         let middle = 0.5 * (low + high);
         let (from, to) = (DVec3::new(low.x, middle.y, middle.z), DVec3::new(high.x, middle.y, middle.z));
-        let solid = Self::bar(from, to, [y, (high.z - low.z).abs()]);
-        Self { axis: if x >= y { DVec2::X } else { DVec2::Y }, ..solid }
+        Self::bar(from, to, [y, (high.z - low.z).abs()])
     }
 
     /// A rectangular bar between two points: its width is level, its height across that.
@@ -54,7 +51,7 @@ impl Solid {
             let (here, there, next) = (ring * sides, (ring + 1) % 4 * sides, (k + 1) % sides);
             triangles.extend([[here + k, here + next, there + next], [here + k, there + next, there + k]]);
         }
-        Self { positions, triangles, axis: frame.axis }
+        Self { positions, triangles }
     }
 
     /// A convex section, counter-clockwise seen against the way, carried from one point to another.
@@ -65,7 +62,7 @@ impl Solid {
         let positions = [from, to].into_iter().flat_map(|end| section.iter().map(move |&p| end + frame.at(p)));
         let sides = (0..n).map(|k| (k, (k + 1) % n)).flat_map(|(k, next)| [[k, next, n + next], [k, n + next, n + k]]);
         let ends = (1..n - 1).flat_map(|k| [[0, k + 1, k], [n, n + k, n + k + 1]]);
-        Self { positions: positions.collect(), triangles: sides.chain(ends).collect(), axis: frame.axis }
+        Self { positions: positions.collect(), triangles: sides.chain(ends).collect() }
     }
 
     /// A ring of round bar about a vertical line.
@@ -82,7 +79,7 @@ impl Solid {
             let (here, there, next) = (i * sides, (i + 1) % around * sides, (j + 1) % sides);
             triangles.extend([[here + j, there + j, there + next], [here + j, there + next, here + next]]);
         }
-        Self { positions, triangles, axis: DVec2::X }
+        Self { positions, triangles }
     }
 
     /// Enclosed volume, cubic metres; negative if it faces inwards.
@@ -97,15 +94,13 @@ impl Solid {
 struct Frame {
     level: DVec3,
     up: DVec3,
-    axis: DVec2,
 }
 
 impl Frame {
     fn along(way: DVec3) -> Self {
         let along = way.normalize();
         let level = DVec3::new(-along.y, along.x, 0.0).try_normalize().unwrap_or(DVec3::Y);
-        let axis = along.truncate().try_normalize().unwrap_or(DVec2::X);
-        Self { level, up: along.cross(level), axis }
+        Self { level, up: along.cross(level) }
     }
 
     fn at(&self, p: DVec2) -> DVec3 {

@@ -1,4 +1,4 @@
-//! A structure under construction: its parts, each a thing of one material, and what it takes of the ground.
+//! A structure under construction: its parts, each a thing of one material.
 
 use std::sync::Arc;
 
@@ -8,10 +8,6 @@ use super::solid::Solid;
 use super::{Labels, Role, Surface, Thing};
 use crate::catalog::Part;
 use crate::scene::mesh::Mesh;
-use crate::scene::placement::Footprint;
-
-/// Objects at rest keep clear of what is lower than this above the ground, metres.
-const HEADROOM_M: f64 = 1.5;
 
 /// What a structure is built on.
 pub(super) struct Site<'a> {
@@ -35,12 +31,11 @@ pub(super) enum Bottom {
 pub(super) struct Structure<'a> {
     pub site: &'a Site<'a>,
     pub things: Vec<Thing>,
-    pub footprints: Vec<Footprint>,
 }
 
 impl<'a> Structure<'a> {
     pub fn new(site: &'a Site<'a>) -> Self {
-        Self { site, things: Vec::new(), footprints: Vec::new() }
+        Self { site, things: Vec::new() }
     }
 
     /// Adds a part: what the recipe may have labelled with its name.
@@ -52,22 +47,16 @@ impl<'a> Structure<'a> {
             Labels::ByNode => Some(name.to_owned()),
             Labels::None => None,
         };
-        for solid in solids {
-            let lowest = solid.positions.iter().map(|p| p.z - (self.site.ground)(p.x, p.y)).fold(f64::MAX, f64::min);
-            if lowest < HEADROOM_M {
-                self.footprints.push(Footprint::of(&solid.positions, solid.axis));
-            }
-        }
         let materials = vec![Surface::Material(material.into())];
         let node = format!("{name}_{}", self.things.len());
-        self.things.push(Thing { mesh: mesh(material, solids), node, label, materials, role: Role::Structure });
+        self.things.push(Thing::made(mesh(material, solids), node, label, materials, Role::Structure));
     }
 
     /// Adds ground to stand on.
     pub fn floor(&mut self, material: &str, solid: Solid) {
         let materials = vec![Surface::Material(material.into())];
         let mesh = mesh(material, &[solid]);
-        self.things.push(Thing { mesh, node: "floor".into(), label: None, materials, role: Role::Ground });
+        self.things.push(Thing::made(mesh, "floor".into(), None, materials, Role::Ground));
     }
 }
 
