@@ -19,6 +19,8 @@ pub(crate) struct Index {
     /// The journals, sorted by name.
     journals: Vec<PathBuf>,
     places: BTreeMap<u64, Place>,
+    /// Of packed frames: number of the tar file, and where there.
+    packed: BTreeMap<u64, (u32, Spot)>,
     tars: Tars,
     /// Frames that could not be rendered, and are still not there.
     failed: BTreeMap<u64, String>,
@@ -30,8 +32,6 @@ struct Place {
     journal: u32,
     offset: u64,
     length: u32,
-    /// Number of the tar file with the frame, and where there.
-    packed: Option<(u32, Spot)>,
 }
 
 /// Tar files that the journals tell of, numbered as they come.
@@ -56,6 +56,7 @@ impl Index {
     /// frame the last counts. Changes nothing.
     pub fn read(root: &Path, frames: u64, ours: Option<&str>) -> Result<Self, StoreError> {
         let mut index = Self { journals: journals(root, ours)?, ..Self::default() };
+        let mut unreadable = None;
         let mut reader = Reader { root, damaged: damage::frames(root)?, shelf: Shelf::new(root) };
         for number in 0..index.journals.len() {
             let path = index.journals[number].clone();
@@ -64,10 +65,14 @@ impl Index {
                 match outcome {
                     Outcome::Done(frame) => {
                         let tar = head.block.as_ref().map(|block| index.tars.number(block));
-                        if let Some(spot) = reader.is_there(&head, frame) {
+                        let there = reader.is_there(&head, frame).unwrap_or_else(|error| {
+                            unreadable.get_or_insert(error);
+                            None
+                        });
+                        if let Some(spot) = there {
                             // Lines are shorter than 4 GB: a record is held in memory when it is written.
                             let (journal, length) = (number as u32, text.len() as u32);
-                            index.places.insert(head.id, Place { journal, offset, length, packed: tar.zip(spot) });
+                            index.put(head.id, Place { journal, offset, length }, tar.zip(spot));
                         }
                     }
                     Outcome::Failed(reason) => {
@@ -75,6 +80,10 @@ impl Index {
                     }
                 }
             })?;
+        }
+        // A disk that fails for a moment must not make frames count as lost: their tars would be rewritten without them.
+        if let Some(error) = unreadable {
+            return Err(error);
         }
         index.failed.retain(|id, _| !index.places.contains_key(id));
         Ok(index)
@@ -87,8 +96,16 @@ impl Index {
             let spot = Spot { part: Some(block.part), offset: block.offset, length: block.length };
             (self.tars.number(block), spot)
         });
-        self.places.insert(id, Place { journal: journal as u32, offset, length: length as u32, packed });
+        self.put(id, Place { journal: journal as u32, offset, length: length as u32 }, packed);
         self.failed.remove(&id);
+    }
+
+    fn put(&mut self, id: u64, place: Place, packed: Option<(u32, Spot)>) {
+        self.places.insert(id, place);
+        match packed {
+            Some(packed) => self.packed.insert(id, packed),
+            None => self.packed.remove(&id),
+        };
     }
 
     /// Takes a failure in.
@@ -102,17 +119,15 @@ impl Index {
 
     /// Tar file of a frame and where it is there; none of a frame whose files are loose.
     pub fn packed(&self, id: u64) -> Option<(&str, Spot)> {
-        let (tar, spot) = self.places.get(&id)?.packed?;
+        let &(tar, spot) = self.packed.get(&id)?;
         Some((&self.tars.names[tar as usize], spot))
     }
 
     /// Tar files with their frames, sorted.
     pub fn tars(&self) -> BTreeMap<String, Vec<(u64, Spot)>> {
         let mut tars: BTreeMap<u32, Vec<(u64, Spot)>> = BTreeMap::new();
-        for (&id, place) in &self.places {
-            if let Some((tar, spot)) = place.packed {
-                tars.entry(tar).or_default().push((id, spot));
-            }
+        for (&id, &(tar, spot)) in &self.packed {
+            tars.entry(tar).or_default().push((id, spot));
         }
         tars.into_iter().map(|(tar, frames)| (self.tars.names[tar as usize].clone(), frames)).collect()
     }
@@ -125,7 +140,7 @@ impl Index {
     /// Takes in where frames lie now.
     pub fn moved(&mut self, frames: &[(u64, Spot)]) {
         for &(id, spot) in frames {
-            if let Some((_, there)) = self.places.get_mut(&id).and_then(|place| place.packed.as_mut()) {
+            if let Some((_, there)) = self.packed.get_mut(&id) {
                 *there = spot;
             }
         }
@@ -222,13 +237,13 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// Whether a frame is there, and where if it is packed.
-    fn is_there(&mut self, head: &Head, frame: &str) -> Option<Option<Spot>> {
+    fn is_there(&mut self, head: &Head, frame: &str) -> Result<Option<Option<Spot>>, StoreError> {
         let is_damaged = self.damaged.contains(&head.id);
         let Some(block) = &head.block else {
-            return (is_whole(self.root, frame) && !is_damaged).then_some(None);
+            return Ok((is_whole(self.root, frame) && !is_damaged).then_some(None));
         };
         let spot = self.shelf.find(head.id, block)?;
-        (!is_damaged || self.shelf.is_right(spot, block)).then_some(Some(spot))
+        Ok(spot.filter(|&spot| !is_damaged || self.shelf.is_right(spot, block)).map(Some))
     }
 }
 

@@ -33,8 +33,7 @@ mod verify;
 
 pub(crate) use atomic::sha256 as digest;
 pub use compare::{Comparison, FrameDifference, compare};
-pub use dataset::Dataset;
-pub use dataset::Place;
+pub use dataset::{Dataset, Place};
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
 pub use index::Records;

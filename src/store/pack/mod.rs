@@ -25,8 +25,8 @@ mod shelf;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use block::{Block, damaged_members, member_names, members};
-pub(crate) use packer::{Packer, names};
-pub(crate) use settle::{Frames, assemble, is_tidy, settle, untidy};
+pub(crate) use packer::Packer;
+pub(crate) use settle::{Frames, assemble, settle, sift, untidy};
 pub(crate) use shelf::{Shelf, Spot};
 
 /// How the frames of a dataset are packed.

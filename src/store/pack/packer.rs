@@ -116,7 +116,7 @@ pub(super) fn parts_of(root: &Path, tar: &str) -> Result<Vec<u32>, StoreError> {
 }
 
 /// Paths of all that lies among the tar files.
-pub(crate) fn names(root: &Path) -> Result<Vec<String>, StoreError> {
+pub(super) fn names(root: &Path) -> Result<Vec<String>, StoreError> {
     let folder = root.join(layout::TARS);
     let entries = match fs::read_dir(&folder) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),

@@ -47,19 +47,17 @@ pub(crate) fn assemble(root: &Path, tar: &str, frames: &[(u64, Spot)]) -> Result
     Ok(placed)
 }
 
-/// Whether a tar is just its frames, in order. `there` are the paths of all that lies among the tar files.
-pub(crate) fn is_tidy(root: &Path, tar: &str, frames: &[(u64, Spot)], there: &[String]) -> bool {
+/// Whether a tar is just its frames, in order.
+fn is_tidy(root: &Path, tar: &str, frames: &[(u64, Spot)]) -> bool {
     let mut end = 0;
     let in_order = frames.iter().all(|(_, spot)| {
         let follows = spot.part.is_none() && spot.offset == end;
         end += spot.length;
         follows
     });
-    let in_parts =
-        there.iter().any(|name| layout::tar_of(name).is_some_and(|(of, _, part)| of == tar && part.is_some()));
     let length = fs::metadata(root.join(tar)).ok().map(|data| data.len());
     let is_long_enough = length == Some(end + END.len() as u64);
-    in_order && !in_parts && !frames.is_empty() && is_long_enough && ends_well(&root.join(tar), end)
+    in_order && !frames.is_empty() && is_long_enough && ends_well(&root.join(tar), end)
 }
 
 /// Whether a tar file has zeros, as it should, from the end of its last member.
@@ -68,20 +66,32 @@ fn ends_well(path: &Path, end: u64) -> bool {
     Place { path: path.to_path_buf(), stretch }.read().is_ok_and(|bytes| bytes == END)
 }
 
-/// The tar files of `shards` that are not in order, with the frames that belong there.
+/// The tar files of some shards that are not in order, with the frames that belong there.
 pub(crate) fn untidy(
     root: &Path,
     index: &Index,
     of: impl Fn(Shard) -> bool,
 ) -> Result<BTreeMap<String, Frames>, StoreError> {
-    let there = names(root)?;
     let mut tars = index.tars();
-    for (tar, ..) in there.iter().filter_map(|name| layout::tar_of(name)) {
+    tars.retain(|tar, _| layout::tar_of(tar).is_some_and(|(_, shard, _)| of(shard)));
+    sift(root, tars, of)
+}
+
+/// Takes those out that are in order, and adds what lies there without a frame.
+pub(crate) fn sift(
+    root: &Path,
+    mut tars: BTreeMap<String, Frames>,
+    of: impl Fn(Shard) -> bool,
+) -> Result<BTreeMap<String, Frames>, StoreError> {
+    let mut in_parts = BTreeSet::new();
+    for name in names(root)? {
+        let Some((tar, _, part)) = layout::tar_of(&name).filter(|&(_, shard, _)| of(shard)) else { continue };
         tars.entry(tar.to_owned()).or_default();
+        if part.is_some() {
+            in_parts.insert(tar.to_owned());
+        }
     }
-    tars.retain(|tar, frames| {
-        layout::tar_of(tar).is_some_and(|(_, shard, _)| of(shard)) && !is_tidy(root, tar, frames, &there)
-    });
+    tars.retain(|tar, frames| in_parts.contains(tar) || !is_tidy(root, tar, frames));
     Ok(tars)
 }
 

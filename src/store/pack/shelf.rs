@@ -6,7 +6,7 @@ use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use super::super::atomic::sha256;
-use super::super::{Place, layout};
+use super::super::{Place, StoreError, layout};
 use super::Block;
 use super::block::{PIECE, member, padded};
 
@@ -52,23 +52,27 @@ impl Shelf {
         Self { root: root.to_path_buf(), tars: BTreeMap::new() }
     }
 
-    /// Where the block of a frame is; none if it is gone, cut off or its first or last header is harmed.
-    pub fn find(&mut self, id: u64, block: &Block) -> Option<Spot> {
+    /// Where the block of a frame is; none if it is gone, cut off or its first or last header is harmed. A tar that cannot be
+    /// read is an error.
+    pub fn find(&mut self, id: u64, block: &Block) -> Result<Option<Spot>, StoreError> {
         if !self.tars.contains_key(&block.tar) {
-            // A tar that cannot be read is as good as gone; rendering again tells what is wrong with the disk.
-            let blocks = blocks(&self.root.join(&block.tar)).unwrap_or_default();
+            let path = self.root.join(&block.tar);
+            let blocks = match blocks(&path) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+                result => result.map_err(StoreError::io("read", &path))?,
+            };
             self.tars.insert(block.tar.clone(), Tar { blocks, parts: BTreeMap::new() });
         }
-        let tar = self.tars.get_mut(&block.tar)?;
+        let tar = self.tars.get_mut(&block.tar).expect("just looked at");
         let length = tar.parts.entry(block.part).or_insert_with(|| {
             fs::metadata(self.root.join(layout::part(&block.tar, block.part))).map_or(0, |data| data.len())
         });
         if block.offset + block.length <= *length {
-            return Some(Spot { part: Some(block.part), offset: block.offset, length: block.length });
+            return Ok(Some(Spot { part: Some(block.part), offset: block.offset, length: block.length }));
         }
-        let place = tar.blocks.binary_search_by_key(&id, |&(id, _, _)| id).ok()?;
-        let (_, offset, length) = tar.blocks[place];
-        (length == block.length).then_some(Spot { part: None, offset, length })
+        let place = tar.blocks.binary_search_by_key(&id, |&(id, _, _)| id).ok();
+        let there = place.map(|place| tar.blocks[place]).filter(|&(_, _, length)| length == block.length);
+        Ok(there.map(|(_, offset, length)| Spot { part: None, offset, length }))
     }
 
     /// Whether a block has the bytes that it should have.

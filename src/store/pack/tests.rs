@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::super::sample::{FRAMES, IDENTITY, frame};
 use super::super::{Identity, Shard, Store, Summary, Verification, atomic, layout, verify};
+use super::packer::names;
 use super::*;
 use crate::export::{Extent, FinishInput, finish};
 use crate::label::View;

@@ -40,7 +40,8 @@ impl Packed {
 
     /// Takes in what a journal tells of a frame.
     pub fn add(&mut self, id: u64, block: Block, Files { name, files }: Files) {
-        let spot = self.shelf.find(id, &block);
+        // What cannot be read is not there; which it is, the tar file's own hash tells.
+        let spot = self.shelf.find(id, &block).unwrap_or_default();
         if spot.is_some() || !self.frames.contains_key(&id) {
             self.frames.insert(id, Frame { block, spot, name, files });
         }
@@ -78,13 +79,13 @@ impl Packed {
             let Block { length, sha256, .. } = &frame.block;
             damaged.push((id, FileRecord { path: tar.clone(), bytes: *length, sha256: sha256.clone() }));
         }
-        let there = pack::names(&self.root)?;
-        let mut tars: BTreeMap<&str, Frames> = BTreeMap::new();
+        let mut tars: BTreeMap<String, Frames> = BTreeMap::new();
         for (&id, frame) in &self.frames {
-            tars.entry(&frame.block.tar).or_default().extend(frame.spot.map(|spot| (id, spot)));
+            tars.entry(frame.block.tar.clone()).or_default().extend(frame.spot.map(|spot| (id, spot)));
         }
-        tars.retain(|tar, frames| !bad.contains(tar) && pack::is_tidy(&self.root, tar, frames, &there));
-        Ok(tars.into_keys().map(str::to_owned).collect())
+        let untidy = pack::sift(&self.root, tars.clone(), |_| true)?;
+        tars.retain(|tar, _| !bad.contains(tar.as_str()) && !untidy.contains_key(tar));
+        Ok(tars.into_keys().collect())
     }
 
     fn find(&self, frame: &Frame) -> Found {
