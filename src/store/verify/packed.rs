@@ -28,7 +28,7 @@ struct Frame {
 /// How a block was found.
 enum Found {
     Right,
-    /// With members that are not what they should be.
+    /// With members, by path, that are not what they should be.
     Changed(Vec<String>),
     Missing,
 }
@@ -59,18 +59,16 @@ impl Packed {
         found: &mut Verification,
         damaged: &mut Vec<(u64, FileRecord)>,
     ) -> Result<BTreeSet<String>, StoreError> {
-        let outcomes: Vec<_> = self.frames.par_iter().map(|(&id, frame)| (id, frame, self.find(frame))).collect();
+        let outcomes: Vec<_> = self.frames.par_iter().map(|(&id, frame)| (id, frame, self.find(id, frame))).collect();
         let mut bad: BTreeSet<&str> = BTreeSet::new();
         for (id, frame, outcome) in outcomes {
             let tar = &frame.block.tar;
             found.checked += frame.files.len() as u64 + 1;
-            match (outcome, frame.spot) {
-                (Found::Right, _) => continue,
-                (Found::Changed(members), Some(spot)) => {
-                    found.changed.extend(members.iter().map(|member| format!("{}/{member}", spot.path(tar))));
-                }
-                _ if !self.root.join(tar).is_file() => found.missing.push(tar.clone()),
-                _ => {
+            match outcome {
+                Found::Right => continue,
+                Found::Changed(members) => found.changed.extend(members),
+                Found::Missing if !self.root.join(tar).is_file() => found.missing.push(tar.clone()),
+                Found::Missing => {
                     let members = pack::member_names(&frame.name, &frame.files);
                     found.missing.extend(members.iter().map(|member| format!("{tar}/{member}")));
                 }
@@ -88,13 +86,28 @@ impl Packed {
         Ok(tars.into_keys().collect())
     }
 
-    fn find(&self, frame: &Frame) -> Found {
-        let Some(Ok(bytes)) = frame.spot.map(|spot| spot.read(&self.root, &frame.block.tar)) else {
-            return Found::Missing;
-        };
-        if sha256(&bytes) == frame.block.sha256 {
+    fn find(&self, id: u64, frame: &Frame) -> Found {
+        let Block { tar, sha256: hash, .. } = &frame.block;
+        let Some(spot) = frame.spot.or_else(|| self.guess(id, frame)) else { return Found::Missing };
+        let Ok(bytes) = spot.read(&self.root, tar) else { return Found::Missing };
+        if frame.spot.is_some() && sha256(&bytes) == *hash {
             return Found::Right;
         }
-        Found::Changed(pack::damaged_members(&bytes, &frame.name, &frame.files))
+        let members = pack::damaged_members(&bytes, &frame.name, &frame.files);
+        if frame.spot.is_none() && members.len() == frame.files.len() {
+            return Found::Missing;
+        }
+        Found::Changed(members.iter().map(|member| format!("{}/{member}", spot.path(tar))).collect())
+    }
+
+    /// Where a frame without a place would be if only its first or last header were harmed: behind the one before.
+    fn guess(&self, id: u64, frame: &Frame) -> Option<Spot> {
+        let tar = &frame.block.tar;
+        let before = self.frames.range(..id).rev().find(|(_, other)| other.block.tar == *tar);
+        let offset = match before.map(|(_, other)| other.spot) {
+            Some(spot) => spot.filter(|spot| spot.part.is_none()).map(|spot| spot.offset + spot.length)?,
+            None => 0,
+        };
+        Some(Spot { part: None, offset, length: frame.block.length })
     }
 }
