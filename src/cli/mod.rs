@@ -10,6 +10,7 @@ macro_rules! say {
     }};
 }
 
+mod catalog;
 mod check;
 mod plan;
 mod preview;
@@ -18,6 +19,7 @@ mod realism;
 mod run;
 mod schema;
 mod status;
+mod table;
 mod water;
 
 use std::path::PathBuf;
@@ -38,6 +40,8 @@ pub(crate) enum Code {
     Invalid = 2,
     /// Some frames failed for good; the rest is there.
     FramesFailed = 3,
+    /// Verification found a difference.
+    Different = 4,
     /// Stopped before the end; the same command goes on.
     Interrupted = 75,
 }
@@ -52,7 +56,7 @@ pub(crate) enum Code {
                   annotations, byte for byte the same on every machine.",
     after_help = "Begin with:\n  ensonify preview recipes/quickstart.yaml   a picture of what a recipe makes\n  \
                   ensonify run recipes/quickstart.yaml       the dataset, in out/quickstart\n\n\
-                  Exit codes: 0 done, 2 invalid recipe, catalog or arguments, 3 some frames failed, 75 interrupted (run again to go on)."
+                  Exit codes: 0 done, 2 invalid recipe, catalog or arguments, 3 some frames failed, 4 a difference was found, 75 interrupted (run again to go on)."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -69,6 +73,7 @@ enum Verb {
     Water(water::WaterVerb),
     Realism(realism::Realism),
     Schema(schema::Schema),
+    Catalog(catalog::CatalogVerb),
 }
 
 /// A recipe on the command line.
@@ -103,6 +108,7 @@ pub fn main() -> ExitCode {
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
         Verb::Schema(verb) => verb.run(),
+        Verb::Catalog(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

@@ -162,9 +162,8 @@ impl Compiler<'_> {
     ) -> Result<BodySpec, PlanError> {
         let refuse = |fault: CatalogError| self.refuse(&format!("objects[{item}].pick"), &fault);
         let ObjectEntry { label, pick, pose } = entry;
-        let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
-        let matching = catalog.pick(&pick).map_err(refuse)?;
-        let dealt = choice.dealt(matching);
+        let matching = self.assets.pick(&pick).map_err(refuse)?;
+        let dealt = choice.dealt(&matching);
         if dealt.is_empty() {
             let fault = format!(
                 "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
@@ -259,12 +258,12 @@ impl Choice<'_> {
     /// Those of the models that scenes of this split may show.
     ///
     /// Dealt by uid alone: a catalog may be reached by several names.
-    fn dealt<'m>(&self, matching: Vec<&'m Asset>) -> Vec<&'m Asset> {
+    fn dealt<'m>(&self, matching: &'m [Asset]) -> Vec<&'m Asset> {
         let Header { splits, seed, .. } = self.header;
         let of_ours = |asset: &&Asset| splits.of_key(*seed, &asset.uid) == self.split;
         match splits.by {
-            SplitBy::Scene | SplitBy::Variant => matching,
-            SplitBy::Asset => matching.into_iter().filter(of_ours).collect(),
+            SplitBy::Scene | SplitBy::Variant => matching.iter().collect(),
+            SplitBy::Asset => matching.iter().filter(of_ours).collect(),
         }
     }
 }
