@@ -10,6 +10,7 @@ use super::glb::load_model;
 use super::model::Model;
 use super::paths;
 use super::priors::{self, SizeFrom, Sized};
+use super::simplify::{MOST_TRIANGLES, simplify};
 
 /// One model of a catalog.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -119,6 +120,8 @@ impl Asset {
             // The loader took y for up: back to the file's own axes.
             model.map(|p| Vec3::new(p.x, p.z, -p.y));
         }
+        // More triangles than a sonar resolves cost time and show nothing.
+        simplify(&mut model, MOST_TRIANGLES);
         model.rest_at_origin(self.size(f64::from(extent.max_element())).size_m);
         for part in &mut model.parts {
             if let Some(material) = self.stated_material(&part.material, &part.node) {

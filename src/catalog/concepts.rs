@@ -2,7 +2,7 @@
 //!
 //! Knows nothing of catalogs: it reads words and says which labels they speak of.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::LazyLock;
 
 use serde::Deserialize;
@@ -12,9 +12,8 @@ use super::words::{is_ideograph, words};
 
 const TABLE: &str = include_str!("../../catalogs/synonyms.yaml");
 
-static CONCEPTS: LazyLock<Concepts> = LazyLock::new(|| {
-    Concepts::of(TABLE).expect("the table in the program is sound: a test loads it")
-});
+static CONCEPTS: LazyLock<Concepts> =
+    LazyLock::new(|| Concepts::of(TABLE).expect("the table in the program is sound: a test loads it"));
 
 /// Number of a label or group in the table, in alphabetical order.
 pub type Concept = u16;
@@ -25,11 +24,11 @@ pub struct Concepts {
     names: Vec<String>,
     groups: Vec<Option<Concept>>,
     /// Words in common form, spaces between them.
-    phrases: BTreeMap<String, Vec<Concept>>,
+    phrases: HashMap<String, Vec<Concept>>,
     /// Every word of the phrases.
     vocabulary: BTreeSet<String>,
-    /// Most words of a phrase.
-    longest: usize,
+    /// Words that phrases begin with, and the most words of such a phrase.
+    starts: HashMap<String, usize>,
 }
 
 /// Neighbouring words that mean something together.
@@ -66,9 +65,9 @@ impl Concepts {
         let mut table = Self {
             groups: vec![None; names.len()],
             names,
-            phrases: BTreeMap::new(),
+            phrases: HashMap::new(),
             vocabulary: BTreeSet::new(),
-            longest: 1,
+            starts: HashMap::new(),
         };
         for (number, (name, entry)) in entries.iter().enumerate() {
             if let Some(group) = &entry.is {
@@ -87,7 +86,10 @@ impl Concepts {
         let printed = text.replace('ä', "ae").replace('ö', "oe").replace('ü', "ue");
         for form in [text, &printed.replace('Ö', "Oe").replace('Ü', "Ue").replace('Ä', "Ae")] {
             let words = words(form);
-            self.longest = self.longest.max(words.len());
+            if let Some(first) = words.first() {
+                let longest = self.starts.entry(first.clone()).or_default();
+                *longest = words.len().max(*longest);
+            }
             let joined = (words.len() == 2).then(|| words.concat());
             for phrase in std::iter::once(words.join(" ")).chain(joined) {
                 let meant = self.phrases.entry(phrase).or_default();
@@ -152,15 +154,7 @@ impl Concepts {
         let mut units = Vec::new();
         let mut at = 0;
         while at < words.len() {
-            let longest = self.longest.min(words.len() - at);
-            let found = (1..=longest).rev().find_map(|count| {
-                let phrase = &words[at..at + count];
-                let meant = self.meaning(&phrase.join(" "));
-                let joined = || (count == 2).then(|| self.meaning(&phrase.concat())).flatten();
-                let ending = || (count == 1).then(|| self.without_ending(&phrase[0])).flatten();
-                meant.or_else(joined).or_else(ending).map(|concepts| (count, concepts.to_vec()))
-            });
-            let (count, concepts) = found.unwrap_or((1, Vec::new()));
+            let (count, concepts) = self.longest_at(&words[at..]);
             if concepts.is_empty() && words[at].chars().all(is_ideograph) {
                 units.extend(self.ideographs(&words[at]));
             } else {
@@ -169,6 +163,27 @@ impl Concepts {
             at += count;
         }
         units
+    }
+
+    /// How many of the first words mean something together, and what.
+    fn longest_at(&self, words: &[String]) -> (usize, Vec<Concept>) {
+        let first = &words[0];
+        let longest = self.starts.get(first).copied().unwrap_or(0).min(words.len());
+        for count in (2..=longest).rev() {
+            if let Some(meant) = self.meaning(&words[..count].join(" ")) {
+                return (count, meant.to_vec());
+            }
+        }
+        // `row boat` is a rowboat: looked up only where a known word begins like this one.
+        let goes_on = |word: &String| word.starts_with(first.as_str()) && word != first;
+        if words.len() > 1
+            && self.vocabulary.range(first.clone()..).take(2).any(goes_on)
+            && let Some(meant) = self.meaning(&words[..2].concat())
+        {
+            return (2, meant.to_vec());
+        }
+        let meant = self.meaning(first).or_else(|| self.without_ending(first));
+        (1, meant.map(<[Concept]>::to_vec).unwrap_or_default())
     }
 
     /// A run of a script without spaces: the longest known pieces, and what is left between them.
@@ -210,6 +225,20 @@ impl Concepts {
             .iter()
             .fold(head, |head, cut| head.split_once(cut).map_or(head, |(before, _)| before));
         self.last_label(head).or_else(|| self.last_label(text))
+    }
+
+    /// The label of a thing that people put into a category: a narrower one if its name tells of it (`water bottle` among
+    /// bottles), else the category's own.
+    #[must_use]
+    pub fn label_of_category(&self, category: &str, name: &str) -> String {
+        let category = category.replace('_', " ");
+        let own = category.split('(').next().map(str::trim).filter(|own| !own.is_empty()).unwrap_or(&category);
+        let Some(wide) = self.label_in(own) else { return own.to_lowercase().replace(' ', "-") };
+        let wide_number = self.number(wide);
+        let is_narrower = |label: &&str| {
+            self.number(label).is_some_and(|number| self.groups(number).any(|group| Some(group) == wide_number))
+        };
+        self.label_in(name).filter(is_narrower).unwrap_or(wide).into()
     }
 
     fn last_label(&self, text: &str) -> Option<&str> {

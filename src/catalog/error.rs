@@ -8,7 +8,9 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum CatalogError {
     /// No catalog of that name or folder.
-    #[error("no catalog `{name}`: looked for catalog.csv in {looked}; put the catalog's folder there or give its path, or make one with `ensonify catalog index`")]
+    #[error(
+        "no catalog `{name}`: looked for catalog.csv in {looked}; put the catalog's folder there or give its path, or make one with `ensonify catalog index`"
+    )]
     NotFound {
         /// As written in the recipe.
         name: String,

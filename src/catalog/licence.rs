@@ -53,9 +53,14 @@ impl Licence {
         if let Some(id) = creative_commons(&text.to_lowercase(), &plain) {
             return known(id);
         }
-        let names = |key: &str| if key.len() <= 3 { plain == key || plain.starts_with(&format!("{key}lic")) } else { plain.contains(key) };
+        let names = |key: &str| {
+            if key.len() <= 3 { plain == key || plain.starts_with(&format!("{key}lic")) } else { plain.contains(key) }
+        };
         let gnu = plain.contains("gnu") && plain.contains("gpl");
-        match OTHERS.iter().find(|(key, id, _)| names(key) || (gnu && *id == "GPL-3.0") || text.eq_ignore_ascii_case(id)) {
+        match OTHERS
+            .iter()
+            .find(|(key, id, _)| names(key) || (gnu && *id == "GPL-3.0") || text.eq_ignore_ascii_case(id))
+        {
             Some((_, id, _)) => known((*id).into()),
             None => Self { id: text, known: false },
         }
@@ -81,7 +86,9 @@ impl Licence {
 fn creative_commons(lower: &str, plain: &str) -> Option<String> {
     // What stands in brackets are remarks: `CC-BY-4.0 (also CC-BY-2.0)`.
     let head = lower.split('(').next().map(str::trim).filter(|head| !head.is_empty()).unwrap_or(lower);
-    if ["cc0", "publicdomainzero", "publicdomaindedication", "creativecommonszero"].iter().any(|key| plain.contains(key))
+    if ["cc0", "publicdomainzero", "publicdomaindedication", "creativecommonszero"]
+        .iter()
+        .any(|key| plain.contains(key))
         || lower.contains("publicdomain/zero")
     {
         return Some("CC0-1.0".into());
@@ -89,7 +96,8 @@ fn creative_commons(lower: &str, plain: &str) -> Option<String> {
     if plain == "publicdomain" || plain.contains("publicdomainmark") || plain == "creativecommonspublicdomain" {
         return Some("CC-PDDC".into());
     }
-    let words: Vec<&str> = head.split(|c: char| !c.is_ascii_alphanumeric() && c != '.').filter(|w| !w.is_empty()).collect();
+    let words: Vec<&str> =
+        head.split(|c: char| !c.is_ascii_alphanumeric() && c != '.').filter(|w| !w.is_empty()).collect();
     let is_code = words.first().is_some_and(|w| matches!(*w, "by" | "cc" | "ccby")) && words.len() <= 6;
     let named = ["creative commons", "creativecommons", "attribution"].iter().any(|key| lower.contains(key));
     if !(is_code || named) {
@@ -116,13 +124,27 @@ pub struct LicencePolicy {
     /// Allowed licences, `unknown` for those that nobody stated; without the list all that are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub allow: Option<Vec<String>>,
+    /// What becomes of models under others.
+    #[serde(default)]
+    pub others: Others,
+}
+
+/// What becomes of a model that a pick meets and the policy does not allow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Others {
+    /// The recipe is refused.
+    #[default]
+    Refuse,
+    /// Picks go on without it.
+    LeaveOut,
 }
 
 impl LicencePolicy {
     /// Whether the policy says nothing.
     #[must_use]
     pub fn is_default(&self) -> bool {
-        self.allow.is_none()
+        *self == Self::default()
     }
 
     /// Whether a licence may be used.
@@ -203,7 +225,10 @@ mod tests {
 
     #[test]
     fn what_nobody_stated_is_refused_unless_it_is_allowed() {
-        let policy = |allow: Option<&[&str]>| LicencePolicy { allow: allow.map(|list| list.iter().map(|s| (*s).into()).collect()) };
+        let policy = |allow: Option<&[&str]>| LicencePolicy {
+            allow: allow.map(|list| list.iter().map(|s| (*s).into()).collect()),
+            ..LicencePolicy::default()
+        };
         let any = policy(None);
         assert!(any.check("a", "CC-BY-NC-4.0").is_ok());
         assert!(any.check("a", "").unwrap_err().contains("not stated"));

@@ -21,6 +21,7 @@ pub mod paths;
 pub mod pick;
 pub mod priors;
 pub mod search;
+pub mod simplify;
 pub mod solidity;
 pub mod sonars;
 pub mod text;

@@ -9,12 +9,15 @@ use super::error::CatalogError;
 /// # Errors
 /// Why it cannot be a file of the catalog: it leaves its root, is absolute, or is an address.
 pub fn inside(root: &Path, path: &str) -> Result<PathBuf, String> {
-    let refuse = |why: &str| Err(format!("path `{}` {why}; models live inside the catalog's folder", super::text::clean(path)));
+    let refuse =
+        |why: &str| Err(format!("path `{}` {why}; models live inside the catalog's folder", super::text::clean(path)));
     if path.is_empty() {
         return refuse("is empty");
     }
     let scheme = path.split_once(':').map(|(scheme, _)| scheme);
-    if scheme.is_some_and(|scheme| scheme.len() > 1 && scheme.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c))) {
+    if scheme.is_some_and(|scheme| {
+        scheme.len() > 1 && scheme.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c))
+    }) {
         return refuse("is an address, and nothing is fetched");
     }
     let drive = scheme.is_some_and(|scheme| scheme.len() == 1 && scheme.starts_with(|c: char| c.is_ascii_alphabetic()));

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::error::CatalogError;
 use super::asset::Up;
+use super::error::CatalogError;
 use super::materials::{self, UNKNOWN, material_in_name};
 
 const TABLE: &str = include_str!("../../catalogs/labels.yaml");
@@ -111,16 +111,25 @@ pub fn size_of(label: &str, file_units: f64) -> Sized {
         let note = if believed {
             format!("nothing is known of the size of `{label}`: the file's numbers are taken for metres")
         } else {
-            format!("nothing is known of the size of `{label}`, and {file_units:.3} m is hard to believe: 1 m is assumed")
+            format!(
+                "nothing is known of the size of `{label}`, and {file_units:.3} m is hard to believe: 1 m is assumed"
+            )
         };
         return Sized { size_m, from: SizeFrom::Guessed, note: Some(note) };
     };
-    let fits = |unit: &&(f64, &str)| (*least..=*most).contains(&(unit.0 * file_units));
+    // Other units than metres are believed only near the typical size.
+    let near = |size: f64| size >= 0.4 * typical && size <= 2.5 * typical;
+    let fits = |(unit, _): &&(f64, &str)| {
+        let size = unit * file_units;
+        (*least..=*most).contains(&size) && (*unit == 1.0 || near(size))
+    };
     match UNITS.iter().find(fits) {
         Some((unit, _)) if *unit == 1.0 => Sized { size_m: file_units, from: SizeFrom::File, note: None },
-        Some((unit, name)) => {
-            Sized { size_m: unit * file_units, from: SizeFrom::File, note: Some(format!("the file's units are taken for {name}")) }
-        }
+        Some((unit, name)) => Sized {
+            size_m: unit * file_units,
+            from: SizeFrom::File,
+            note: Some(format!("the file's units are taken for {name}")),
+        },
         None => Sized { size_m: *typical, from: SizeFrom::Prior, note: None },
     }
 }

@@ -45,6 +45,46 @@ pub fn solidity(model: &Model) -> Solidity {
     facts
 }
 
+/// Turns of a surface that stand for a curve: less is flat, more is an edge of the thing itself, degrees.
+const CURVED_DEG: [f64; 2] = [4.0, 50.0];
+
+/// How far the flat facets of a model depart from the round shape that they stand for: a tenth of its surface departs by
+/// more than this, in the model's units. None of what is meant to be flat or edged counts.
+///
+/// Two facets of width w that meet at an angle θ are chords of a circle: its arc stands off them by about w·θ/8.
+#[must_use]
+pub fn facet_error(triangles: impl Iterator<Item = [Vec3; 3]>) -> f64 {
+    let mut vertices = Vertices::default();
+    let mut edges: BTreeMap<(u32, u32), Vec<(Vec3, f64)>> = BTreeMap::new();
+    for corners in triangles {
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let twice = f64::from(normal.length());
+        let numbers = corners.map(|p| vertices.number(p));
+        for k in 0..3 {
+            let (p, q) = (numbers[k], numbers[(k + 1) % 3]);
+            let length = f64::from((corners[(k + 1) % 3] - corners[k]).length()).max(1e-12);
+            edges.entry((p.min(q), p.max(q))).or_default().push((normal.normalize_or_zero(), twice / length));
+        }
+    }
+    let mut departures: Vec<(f64, f64)> = Vec::new();
+    for sides in edges.values() {
+        let [(one, width), (other, breadth)] = sides[..] else { continue };
+        let turn = crate::math::real::acos(f64::from(one.dot(other)).abs().min(1.0));
+        let degrees = crate::math::real::degrees(turn);
+        let wide = 0.5 * (width + breadth);
+        let departs = if (CURVED_DEG[0]..CURVED_DEG[1]).contains(&degrees) { wide * turn / 8.0 } else { 0.0 };
+        departures.push((departs, wide));
+    }
+    departures.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let whole: f64 = departures.iter().map(|(_, weight)| weight).sum();
+    let mut held = 0.0;
+    let reached = departures.iter().find(|(_, weight)| {
+        held += weight;
+        held >= 0.9 * whole
+    });
+    reached.map_or(0.0, |(departs, _)| *departs)
+}
+
 /// Numbers of places.
 #[derive(Default)]
 struct Vertices(BTreeMap<[u32; 3], u32>);
@@ -61,6 +101,24 @@ impl Vertices {
 mod tests {
     use super::*;
     use crate::catalog::model::Part;
+
+    #[test]
+    fn coarse_cylinders_depart_from_round_ones_and_boxes_from_nothing() {
+        let tube = |sides: usize| {
+            let at = move |k: usize, z: f32| {
+                let angle = std::f64::consts::TAU * k as f64 / sides as f64;
+                Vec3::new(crate::math::real::cos(angle) as f32, crate::math::real::sin(angle) as f32, z)
+            };
+            (0..sides).flat_map(move |k| {
+                [[at(k, 0.0), at(k + 1, 0.0), at(k + 1, 2.0)], [at(k, 0.0), at(k + 1, 2.0), at(k, 2.0)]]
+            })
+        };
+        // Of a regular polygon in a circle of 1 m: 1 − cos(π/n).
+        let error = facet_error(tube(12).collect::<Vec<_>>().into_iter());
+        assert!((error / 0.0341 - 1.0).abs() < 0.2, "{error}");
+        assert!(facet_error(tube(48).collect::<Vec<_>>().into_iter()) < 0.003);
+        assert_eq!(facet_error(tube(4).collect::<Vec<_>>().into_iter()), 0.0, "a box");
+    }
 
     #[test]
     fn a_tetrahedron_is_closed_until_a_face_is_gone() {

@@ -4,9 +4,9 @@
 
 /// Words that say nothing about what a thing is.
 const SILENT: &[&str] = &[
-    "a", "an", "and", "any", "at", "aus", "avec", "con", "d", "das", "de", "del", "der", "des", "die", "du", "ein", "eine",
-    "el", "en", "et", "for", "in", "l", "la", "las", "le", "les", "los", "mit", "of", "on", "or", "some", "the", "to", "un",
-    "una", "und", "une", "with", "y",
+    "a", "an", "and", "any", "at", "aus", "avec", "con", "d", "das", "de", "del", "der", "des", "die", "du", "ein",
+    "eine", "el", "en", "et", "for", "in", "l", "la", "las", "le", "les", "los", "mit", "of", "on", "or", "some",
+    "the", "to", "un", "una", "und", "une", "with", "y",
 ];
 
 /// Plurals and spellings that no rule below leads to.
@@ -49,7 +49,8 @@ const IRREGULAR: &[(&str, &str)] = &[
 const ENDINGS: &[(&str, &str)] = &[("our", "or"), ("ogue", "og"), ("yse", "yze"), ("tre", "ter"), ("bre", "ber")];
 
 /// Words that end like British ones and are not.
-const NOT_BRITISH: &[&str] = &["four", "hour", "pour", "tour", "sour", "your", "our", "flour", "macabre", "zebre", "contour"];
+const NOT_BRITISH: &[&str] =
+    &["four", "hour", "pour", "tour", "sour", "your", "our", "flour", "macabre", "zebre", "contour"];
 
 /// The words of a text in their common form, silent ones left out unless nothing else is there.
 #[must_use]

@@ -5,13 +5,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use clap::Args;
 
 use super::{Code, RecipeArgs};
+use crate::catalog::solidity::facet_error;
 use crate::image::Channel;
 use crate::image::reach::REACH_SEABED_DB;
 use crate::physics::absorption::francois_garrison;
 use crate::plan::Plan;
-use crate::run::World;
+use crate::run::{Project, World};
 
-/// Most notes on acoustics.
+/// Speed of sound that resolutions are told by, m/s.
+const NOMINAL_SPEED: f64 = 1500.0;
+/// Most notes of a kind.
 const MOST_NOTES: usize = 8;
 
 /// Checks a recipe without rendering anything
@@ -53,7 +56,8 @@ impl Check {
                 eprintln!("note: no scene falls into the split {split}; more scenes fill it");
             }
         }
-        for note in project.notes.iter().map(ToString::to_string).chain(acoustic_notes(plan)) {
+        let notes = project.notes.iter().map(ToString::to_string);
+        for note in notes.chain(acoustic_notes(plan)).chain(model_notes(&project)) {
             eprintln!("note: {note}");
         }
         for dropped in &world.built().dropped {
@@ -61,6 +65,27 @@ impl Check {
         }
         Ok(Code::Done)
     }
+}
+
+/// Models that are coarser than the sonars resolve: their facets glint where the thing itself is round.
+fn model_notes(project: &Project) -> BTreeSet<String> {
+    let bandwidth = project.plan.jobs.iter().map(|job| job.sonar.bandwidth_khz).fold(0.0, f64::max);
+    let resolution = NOMINAL_SPEED / (2.0 * 1000.0 * bandwidth.max(1e-3));
+    let bodies = project.plan.scenes.iter().flat_map(|scene| &scene.spec.bodies);
+    let models: BTreeSet<(&str, &str)> = bodies.map(|body| (body.catalog.as_str(), body.uid.as_str())).collect();
+    let coarse = models.into_iter().filter_map(|(catalog, uid)| {
+        let solid = project.assets.solid(catalog, uid).ok()?;
+        let error = facet_error(solid.mesh.triangles());
+        (error > resolution).then(|| {
+            format!(
+                "{catalog}/{uid} is coarse: its facets depart by {:.1} cm from the round shape that they stand for, and the sonar \
+                 resolves {:.1} cm in range",
+                100.0 * error,
+                100.0 * resolution
+            )
+        })
+    });
+    coarse.take(MOST_NOTES).collect()
 }
 
 /// What an acoustician would say of a plan's sonars and waters; each thing once.

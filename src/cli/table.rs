@@ -8,7 +8,9 @@ pub(super) fn print(header: &[&str], rows: &[Vec<String>]) {
     let header: Vec<String> = header.iter().map(|text| (*text).to_owned()).collect();
     let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| cut(cell)).collect()).collect();
     let widths: Vec<usize> = (0..header.len())
-        .map(|at| std::iter::once(&header).chain(&rows).filter_map(|row| row.get(at)).map(|c| width(c)).max().unwrap_or(0))
+        .map(|at| {
+            std::iter::once(&header).chain(&rows).filter_map(|row| row.get(at)).map(|c| width(c)).max().unwrap_or(0)
+        })
         .collect();
     for row in std::iter::once(&header).chain(&rows) {
         let cells = row.iter().zip(&widths).map(|(cell, wide)| format!("{cell}{}", " ".repeat(wide - width(cell))));

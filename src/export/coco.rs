@@ -1,7 +1,7 @@
 //! COCO annotation files: one for each view and split, masks as compressed run lengths.
 //!
 //! Beyond the format's own keys, images name their `variant`, `scene`, `frame` and `look`, and annotations their `instance` (the value in the
-//! mask image) and `asset`. No dates, so that equal datasets have equal files.
+//! mask image), `asset` and the `license` of that; `assets` tells whose each is. No dates, so that equal datasets have equal files.
 //! Source: COCO data format, <https://cocodataset.org/#format-data>.
 
 use std::collections::BTreeMap;
@@ -9,6 +9,8 @@ use std::io::{self, Write};
 
 use serde::{Serialize, Serializer};
 
+use super::Attribution;
+use crate::catalog::Licence;
 use crate::label::View;
 use crate::store::{FrameRecord, ViewRecord, layout};
 
@@ -25,6 +27,8 @@ pub(crate) struct Coco<'a> {
     pub description: &'a str,
     /// Version of the program that made it.
     pub version: &'a str,
+    /// The models in the scenes.
+    pub attributions: &'a [Attribution],
     /// All frames by job id; those of other splits are left out here.
     pub frames: &'a BTreeMap<u64, FrameRecord>,
 }
@@ -35,12 +39,14 @@ pub(crate) struct Coco<'a> {
 /// If `out` cannot be written.
 pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
     let ids = coco.categories.iter().zip(1..).map(|(name, id)| (name.as_str(), id)).collect();
+    let licences = licences(coco.attributions);
     let file = File {
         info: Info { description: coco.description, version: coco.version },
-        licenses: [],
+        licenses: List(|| licences.iter().map(|(name, id)| License { id: *id, name, url: Licence::read(name).url() })),
+        assets: List(|| coco.attributions.iter().map(|model| Asset::of(model, &licences))),
         categories: List(|| categories(coco.categories)),
         images: List(|| coco.images().map(|(image, _, _)| image)),
-        annotations: List(|| coco.annotations(&ids)),
+        annotations: List(|| coco.annotations(&ids, &licences)),
     };
     serde_json::to_writer(&mut *out, &file)?;
     out.write_all(b"\n")
@@ -71,10 +77,16 @@ impl<'a> Coco<'a> {
     }
 
     /// The annotations of [`Self::images`], numbered from 1. Looks of a frame have the same ones.
-    fn annotations(&self, ids: &BTreeMap<&str, u64>) -> impl Iterator<Item = Annotation<'a>> {
+    fn annotations(
+        &self,
+        ids: &BTreeMap<&str, u64>,
+        licences: &BTreeMap<&str, u64>,
+    ) -> impl Iterator<Item = Annotation<'a>> {
+        let of_asset: BTreeMap<&str, u64> =
+            self.attributions.iter().map(|model| (model.uid.as_str(), licences[model.licence.as_str()])).collect();
         let all =
             self.images().flat_map(|(image, _, record)| record.annotations.iter().map(move |a| (image.id, record, a)));
-        all.zip(1..).map(|((image_id, record, annotation), id)| Annotation {
+        all.zip(1..).map(move |((image_id, record, annotation), id)| Annotation {
             id,
             image_id,
             category_id: *ids.get(annotation.label.as_str()).expect("labels are checked before anything is exported"),
@@ -84,14 +96,16 @@ impl<'a> Coco<'a> {
             iscrowd: 0,
             instance: annotation.body,
             asset: &annotation.asset,
+            license: of_asset.get(annotation.asset.as_str()).copied(),
         })
     }
 }
 
 #[derive(Serialize)]
-struct File<'a, C: Serialize, I: Serialize, A: Serialize> {
+struct File<'a, L: Serialize, M: Serialize, C: Serialize, I: Serialize, A: Serialize> {
     info: Info<'a>,
-    licenses: [(); 0],
+    licenses: L,
+    assets: M,
     categories: C,
     images: I,
     annotations: A,
@@ -101,6 +115,39 @@ struct File<'a, C: Serialize, I: Serialize, A: Serialize> {
 struct Info<'a> {
     description: &'a str,
     version: &'a str,
+}
+
+#[derive(Serialize)]
+struct License<'a> {
+    id: u64,
+    name: &'a str,
+    url: String,
+}
+
+/// A model in the scenes: whose it is, and under which of the licences.
+#[derive(Serialize)]
+struct Asset<'a> {
+    /// As annotations call it.
+    asset: &'a str,
+    name: &'a str,
+    license: u64,
+    attribution: &'a str,
+    source: &'a str,
+}
+
+impl<'a> Asset<'a> {
+    fn of(model: &'a Attribution, licences: &BTreeMap<&str, u64>) -> Self {
+        let Attribution { uid, name, attribution, licence, source } = model;
+        Self { asset: uid, name, license: licences[licence.as_str()], attribution, source }
+    }
+}
+
+/// Numbers of all licences, from 1.
+fn licences(attributions: &[Attribution]) -> BTreeMap<&str, u64> {
+    let mut names: Vec<&str> = attributions.iter().map(|model| model.licence.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.into_iter().zip(1..).collect()
 }
 
 #[derive(Serialize)]
@@ -135,6 +182,9 @@ struct Annotation<'a> {
     iscrowd: u8,
     instance: u16,
     asset: &'a str,
+    /// Licence of the asset; nothing for parts of an environment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    license: Option<u64>,
 }
 
 #[derive(Serialize)]

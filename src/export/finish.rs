@@ -25,14 +25,14 @@ pub struct FinishInput {
     pub categories: Vec<String>,
     /// More rows for the card's table of how the images were made: sonar, ranges …
     pub facts: Vec<(String, String)>,
-    /// The models in the scenes.
+    /// The models in the scenes, each once.
     pub attributions: Vec<Attribution>,
 }
 
 /// Whose a model is.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Attribution {
-    /// Catalog and uid.
+    /// Catalog and uid, as annotations call it.
     pub uid: String,
     /// Name of the model.
     pub name: String,
@@ -100,7 +100,8 @@ fn annotations(
     for &view in &input.views {
         for split in &input.splits {
             let (categories, description) = (&input.categories, &input.description);
-            let coco = Coco { view, split, categories, description, version: VERSION, frames };
+            let attributions = &input.attributions;
+            let coco = Coco { view, split, categories, description, version: VERSION, attributions, frames };
             files.push(store.write_with(&layout::annotations(view, split), |out| coco::write(out, &coco))?);
         }
     }

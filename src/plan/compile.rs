@@ -8,7 +8,8 @@ use sha2::{Digest as _, Sha256};
 
 use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
 use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, VariantPlan};
-use crate::catalog::{Asset, CatalogError, materials};
+use crate::catalog::licence::Others;
+use crate::catalog::{Asset, CatalogError, Licence, LicencePolicy, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
 use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
@@ -172,14 +173,21 @@ impl Compiler<'_> {
             );
             return Err(self.refuse(&format!("objects[{item}].pick"), &fault));
         }
-        let asset = dealt[choice.stream.below(dealt.len() as u64) as usize];
+        let allowed = allowed(&choice.header.licences, &dealt)
+            .map_err(|fault| self.refuse(&format!("objects[{item}].pick"), &fault))?;
+        let asset = allowed[choice.stream.below(allowed.len() as u64) as usize];
+        let whose = format!("{}/{}", pick.catalog, asset.uid);
+        choice
+            .header
+            .licences
+            .check(&whose, &asset.licence)
+            .map_err(|fault| self.refuse(&format!("objects[{item}].pick"), &fault))?;
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
-        let key = format!("{}/{}", pick.catalog, asset.uid);
-        if let Entry::Vacant(place) = locks.entry(key) {
+        if let Entry::Vacant(place) = locks.entry(whose) {
             place.insert(AssetLock {
                 sha256: sha256_of(&asset.path).map_err(|error| self.unreadable(item, &asset.path, &error))?,
                 name: asset.name.clone(),
-                licence: asset.licence.clone(),
+                licence: Licence::read(&asset.licence).id,
                 attribution: asset.attribution.clone(),
                 source: asset.source.clone(),
             });
@@ -266,6 +274,22 @@ impl Choice<'_> {
             SplitBy::Asset => matching.iter().filter(of_ours).collect(),
         }
     }
+}
+
+/// The models that a pick goes on with: where others are left out, those whose licence is allowed.
+fn allowed<'m>(policy: &LicencePolicy, models: &[&'m Asset]) -> Result<Vec<&'m Asset>, String> {
+    let may = |asset: &&&Asset| match policy.others {
+        Others::Refuse => true,
+        Others::LeaveOut => policy.allows(&Licence::read(&asset.licence)),
+    };
+    let allowed: Vec<&Asset> = models.iter().filter(may).copied().collect();
+    if allowed.is_empty() {
+        return Err(format!(
+            "none of the {} models of this pick is under a licence that `licences` allows; allow more, or pick others",
+            models.len()
+        ));
+    }
+    Ok(allowed)
 }
 
 fn sha256_of(path: &Path) -> std::io::Result<String> {

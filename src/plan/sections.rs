@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::Look;
 use super::header::{Header, Output, Splits};
 use super::looks::{self, LookTree};
-use crate::catalog::{Pick, sonars};
+use crate::catalog::{LicencePolicy, Pick, sonars};
 use crate::label::LabelSettings;
 use crate::recipe::{self, Address, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
@@ -15,7 +15,7 @@ use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "ensonify",
     "name",
     "seed",
@@ -27,6 +27,7 @@ const KEYS: [&str; 19] = [
     "environment",
     "multipath",
     "objects",
+    "licences",
     "trajectory",
     "image",
     "looks",
@@ -42,7 +43,7 @@ pub(super) const SWEPT: [&str; 9] =
     ["let", "sonar", "water", "seabed", "environment", "multipath", "objects", "trajectory", "image"];
 
 /// Keys and sections that are the same for all frames.
-const CONSTANT: [&str; 7] = ["name", "seed", "scenes", "frames", "labels", "splits", "output"];
+const CONSTANT: [&str; 8] = ["name", "seed", "scenes", "frames", "licences", "labels", "splits", "output"];
 
 /// Most frames of one dataset.
 const MAX_JOBS: u64 = 10_000_000;
@@ -170,6 +171,7 @@ impl Sections {
             seed: self.required("seed")?,
             scenes: self.required("scenes")?,
             frames: self.required("frames")?,
+            licences: self.required::<LicencePolicy>("licences")?,
             labels: self.required::<LabelSettings>("labels")?,
             splits: self.required::<Splits>("splits")?,
             output: self.required::<Output>("output")?,

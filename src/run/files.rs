@@ -7,6 +7,7 @@ use super::render::{Frame, pose_numbers};
 use super::world::World;
 use crate::export::{Attribution, FinishInput};
 use crate::plan::{Job, Plan, Split};
+use crate::scene::asset_name;
 use crate::store::{FrameRecord, NewFile, ViewRecord, exr, layout, png};
 
 /// The record of a frame and the files that it brings.
@@ -49,12 +50,15 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
 pub(super) fn finish_input(project: &Project) -> FinishInput {
     let plan = &project.plan;
     let attribution = |(key, lock): (&String, &crate::plan::AssetLock)| Attribution {
-        uid: key.clone(),
+        uid: key.rsplit_once('/').map_or_else(|| key.clone(), |(catalog, uid)| asset_name(catalog, uid)),
         name: lock.name.clone(),
         attribution: lock.attribution.clone(),
         licence: lock.licence.clone(),
         source: lock.source.clone(),
     };
+    let mut attributions: Vec<Attribution> = plan.assets.iter().map(attribution).collect();
+    attributions.sort();
+    attributions.dedup();
     FinishInput {
         description: format!("Synthetic forward-looking sonar: {}", plan.header.name),
         seed: plan.header.seed,
@@ -62,7 +66,7 @@ pub(super) fn finish_input(project: &Project) -> FinishInput {
         splits: Split::ALL.map(|split| split.name().to_owned()).to_vec(),
         categories: categories(project),
         facts: facts(plan),
-        attributions: plan.assets.iter().map(attribution).collect(),
+        attributions,
     }
 }
 

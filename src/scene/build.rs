@@ -173,7 +173,7 @@ pub fn build(spec: &SceneSpec, assets: &AssetCache, seed: u64, scene_index: u64)
     let places = place(spec, assets, &ground, &stream)?;
     let mut dropped = Vec::new();
     for (number, (body, standing)) in spec.bodies.iter().zip(places).enumerate() {
-        let asset = asset_name(body);
+        let asset = asset_name(&body.catalog, &body.uid);
         let Some(standing) = standing else {
             let reason = format!("no free place on the ground in {TRIES} tries");
             dropped.push(Dropped { body: number, label: body.label.clone(), asset, reason });
@@ -211,10 +211,11 @@ fn place(
     Ok(places)
 }
 
-/// Catalog and uid; of a catalog given as a folder, the folder's own name.
-fn asset_name(body: &BodySpec) -> String {
-    let catalog = body.catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
-    format!("{catalog}/{}", body.uid)
+/// What annotations call a model: catalog and uid; of a catalog given as a folder, the folder's own name.
+#[must_use]
+pub fn asset_name(catalog: &str, uid: &str) -> String {
+    let catalog = catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
+    format!("{catalog}/{uid}")
 }
 
 #[derive(Default)]

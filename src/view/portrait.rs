@@ -132,7 +132,8 @@ impl Sheet {
         for y in range(1) {
             for x in range(0) {
                 let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
-                let weight = |a: [f64; 3], b: [f64; 3]| ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / twice;
+                let weight =
+                    |a: [f64; 3], b: [f64; 3]| ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / twice;
                 let weights = [weight(p[1], p[2]), weight(p[2], p[0]), weight(p[0], p[1])];
                 if weights.iter().any(|w| *w < -1e-9) {
                     continue;

@@ -91,7 +91,10 @@ impl Collection {
         report.changed = files.iter().filter(|f| !known || !before.files.contains(f)).map(|f| f.path.clone()).collect();
         let gone = |old: &&Source| !files.iter().any(|file| file.path == old.path);
         report.missing = before.files.iter().filter(gone).map(|file| file.path.clone()).collect();
-        if report.changed.is_empty() && report.missing.is_empty() && let Ok(index) = DiskIndex::open(dir, &self.root) {
+        if report.changed.is_empty()
+            && report.missing.is_empty()
+            && let Ok(index) = DiskIndex::open(dir, &self.root)
+        {
             report.models = u64::from(index.count());
             (report.on_disk, report.problems) = (before.on_disk, before.problems);
             return Ok(report);

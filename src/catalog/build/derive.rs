@@ -13,10 +13,8 @@ use crate::catalog::licence::{Licence, UNKNOWN};
 use crate::catalog::materials::{self, material_in_name};
 use crate::catalog::overrides::Override;
 use crate::catalog::priors::{self, SizeFrom, Sized};
+use crate::catalog::simplify::MOST_TRIANGLES;
 use crate::catalog::text::clean;
-
-/// More triangles than any range resolution needs in one object.
-const DENSE: u64 = 200_000;
 
 /// A line of `catalog.csv` by column.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -135,8 +133,9 @@ pub fn derived(path: &str, facts: &Facts, listing: Option<&Listing>, given_label
     row.set("source", listing.source.clone().unwrap_or_else(|| facts.about.source.clone()));
     row.set("triangles", facts.triangles.to_string());
     row.set("watertight", if facts.watertight { "yes" } else { "no" });
-    if facts.triangles > DENSE {
-        problems.push(format!("{} triangles are more than a sonar resolves; simplify it", facts.triangles));
+    if facts.triangles > MOST_TRIANGLES as u64 {
+        let problem = "triangles are more than a sonar resolves: it is simplified when it is loaded";
+        problems.push(format!("{} {problem}", facts.triangles));
     }
     row.set("label", label);
     row.set("problems", problems.join("; "));
@@ -159,16 +158,11 @@ fn label(path: &str, name: &str, listing: &Listing) -> String {
     let table = concepts();
     let of_name = table.label_in(name);
     if let Some(category) = &listing.category {
-        let own = category.to_lowercase().replace(['_', ' '], "-");
-        let Some(wide) = table.label_in(category) else { return own };
-        let wide_number = table.number(wide);
-        let narrower = of_name.filter(|label| {
-            table.number(label).is_some_and(|number| table.groups(number).any(|group| Some(group) == wide_number))
-        });
-        return narrower.unwrap_or(wide).into();
+        return table.label_of_category(category, name);
     }
     let known = |label: &&str| priors::prior(label).is_some();
-    let of_path = || path.rsplit('/').find_map(|part| table.label_in(part.split('.').next().unwrap_or(part)).filter(known));
+    let of_path =
+        || path.rsplit('/').find_map(|part| table.label_in(part.split('.').next().unwrap_or(part)).filter(known));
     let tagged = || listing.tags.as_deref().and_then(|tags| table.label_in(tags));
     of_name.filter(known).or_else(tagged).or_else(of_path).or(of_name).unwrap_or("object").into()
 }
@@ -195,11 +189,16 @@ fn material(label: &str, name: &str, facts: &Facts, listing: &Listing) -> String
     let (mut named, mut whole) = (0.0, 0.0);
     for (surface, area) in &facts.areas {
         whole += area;
-        let told = material_in_name(surface).map(|_| priors::material_of_surface(surface, otherwise.unwrap_or_default()));
+        let told =
+            material_in_name(surface).map(|_| priors::material_of_surface(surface, otherwise.unwrap_or_default()));
         if let Some(material) = told {
             named += area;
             *by_material.entry(material).or_default() += area;
         }
+    }
+    // What such things are made of counts before their fittings: a chest is wood under its iron.
+    if let Some(usual) = otherwise.filter(|usual| by_material.get(usual).is_some_and(|area| *area > 0.15 * whole)) {
+        return usual.into();
     }
     let most = by_material.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(material, _)| material);
     match most.filter(|_| named > 0.5 * whole) {

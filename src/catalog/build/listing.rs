@@ -68,14 +68,15 @@ impl Listings {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
         let header = reader.headers()?.clone();
         let place = |names: &[&str]| {
-            names.iter().find_map(|name| header.iter().position(|h| h.trim_start_matches('\u{feff}').eq_ignore_ascii_case(name)))
+            names.iter().find_map(|name| {
+                header.iter().position(|h| h.trim_start_matches('\u{feff}').eq_ignore_ascii_case(name))
+            })
         };
         let Some(file) = place(&["file", "path", "filename"]) else { return Ok(()) };
         for record in reader.records() {
             let record = record?;
-            let cell = |names: &[&str]| {
-                place(names).and_then(|at| record.get(at)).map(clean).filter(|text| !text.is_empty())
-            };
+            let cell =
+                |names: &[&str]| place(names).and_then(|at| record.get(at)).map(clean).filter(|text| !text.is_empty());
             let listing = Listing {
                 uid: cell(&["uid", "id"]),
                 name: cell(&["name", "title", "what"]),
@@ -105,6 +106,10 @@ impl Listings {
         let there: std::collections::BTreeSet<&String> = there.collect();
         let gone: Vec<&str> = self.of.keys().filter(|path| !there.contains(path)).map(String::as_str).collect();
         let first = gone.first()?;
-        Some(format!("{} files of the tables beside the models are not there or not usable, such as {}", gone.len(), clean(first)))
+        Some(format!(
+            "{} files of the tables beside the models are not there or not usable, such as {}",
+            gone.len(),
+            clean(first)
+        ))
     }
 }

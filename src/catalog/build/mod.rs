@@ -202,8 +202,7 @@ fn unique(uid: String, path: &str, taken: &mut BTreeSet<String>) -> String {
 
 /// Letters, digits, `-`, `_` and `.` only.
 fn plain(text: &str) -> String {
-    let kept: String =
-        text.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' }).collect();
+    let kept: String = text.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' }).collect();
     let kept = kept.trim_matches(['-', '.']).to_owned();
     if kept.is_empty() { "model".into() } else { kept }
 }

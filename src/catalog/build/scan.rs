@@ -29,7 +29,8 @@ pub fn models(root: &Path) -> Result<Scanned, CatalogError> {
 }
 
 fn walk(root: &Path, folder: &Path, depth: usize, out: &mut Scanned) -> Result<(), CatalogError> {
-    let fault = |e: std::io::Error| CatalogError::File { path: folder.to_path_buf(), problem: format!("cannot be read: {e}") };
+    let fault =
+        |e: std::io::Error| CatalogError::File { path: folder.to_path_buf(), problem: format!("cannot be read: {e}") };
     let mut entries: Vec<PathBuf> = Vec::new();
     for entry in folder.read_dir().map_err(fault)? {
         entries.push(entry.map_err(fault)?.path());
@@ -40,12 +41,15 @@ fn walk(root: &Path, folder: &Path, depth: usize, out: &mut Scanned) -> Result<(
         if name.starts_with('.') {
             continue;
         }
-        let is_model = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb") || e.eq_ignore_ascii_case("gltf"));
+        let is_model =
+            path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb") || e.eq_ignore_ascii_case("gltf"));
         let is_folder = path.is_dir();
         if !is_model && !is_folder {
             continue;
         }
-        if path.is_symlink() && let Err(error) = paths::real(root, &path) {
+        if path.is_symlink()
+            && let Err(error) = paths::real(root, &path)
+        {
             out.refused.push(error.to_string());
         } else if is_folder && path.is_symlink() {
             // A link within the folder shows what is found anyway, or goes in circles.

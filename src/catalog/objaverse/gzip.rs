@@ -9,7 +9,7 @@ use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 use serde::Deserialize;
-use serde::de::{DeserializeSeed, Deserializer as _, MapAccess, Visitor};
+use serde::de::{Deserializer as _, MapAccess, Visitor};
 
 /// Largest file that is unpacked, bytes: a shard of 5000 records has 20 million.
 const MOST: u64 = 1 << 30;
@@ -61,7 +61,7 @@ pub(super) fn each_entry<'de, V: Deserialize<'de>>(
         }
 
         fn visit_map<A: MapAccess<'de>>(mut self, mut map: A) -> Result<(), A::Error> {
-            while let Some(key) = map.next_key_seed(Text)? {
+            while let Some(Text(key)) = map.next_key()? {
                 (self.0)(key, map.next_value()?);
             }
             Ok(())
@@ -70,13 +70,12 @@ pub(super) fn each_entry<'de, V: Deserialize<'de>>(
     serde_json::Deserializer::from_slice(json).deserialize_map(Entries(take, PhantomData))
 }
 
-/// A text, borrowed where it has no escapes.
-struct Text;
+/// A text, borrowed where it has no escapes; `null` is an empty one, a number its digits.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Text<'a>(pub Cow<'a, str>);
 
-impl<'de> DeserializeSeed<'de> for Text {
-    type Value = Cow<'de, str>;
-
-    fn deserialize<D: serde::Deserializer<'de>>(self, from: D) -> Result<Self::Value, D::Error> {
+impl<'de: 'a, 'a> Deserialize<'de> for Text<'a> {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         struct Any;
         impl<'de> Visitor<'de> for Any {
             type Value = Cow<'de, str>;
@@ -92,7 +91,23 @@ impl<'de> DeserializeSeed<'de> for Text {
             fn visit_str<E>(self, text: &str) -> Result<Self::Value, E> {
                 Ok(Cow::Owned(text.to_owned()))
             }
+
+            fn visit_unit<E>(self) -> Result<Self::Value, E> {
+                Ok(Cow::Borrowed(""))
+            }
+
+            fn visit_u64<E>(self, number: u64) -> Result<Self::Value, E> {
+                Ok(Cow::Owned(number.to_string()))
+            }
+
+            fn visit_i64<E>(self, number: i64) -> Result<Self::Value, E> {
+                Ok(Cow::Owned(number.to_string()))
+            }
+
+            fn visit_f64<E>(self, number: f64) -> Result<Self::Value, E> {
+                Ok(Cow::Owned(number.to_string()))
+            }
         }
-        from.deserialize_str(Any)
+        from.deserialize_any(Any).map(Text)
     }
 }

@@ -7,13 +7,15 @@
 
 mod gzip;
 mod record;
+#[cfg(feature = "parquet")]
+pub mod xl;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
-use self::gzip::{Contents, each_entry};
+use self::gzip::{Contents, Text, each_entry};
 use self::record::Metadata;
 use super::disk::Batch;
 use super::error::CatalogError;
@@ -62,7 +64,8 @@ pub fn sources(home: &Path) -> Result<Vec<PathBuf>, CatalogError> {
     let mut files: Vec<PathBuf> = [PATHS, LVIS].iter().map(|name| home.join(name)).filter(|f| f.is_file()).collect();
     let folder = home.join(METADATA);
     if folder.is_dir() {
-        let fault = |e: std::io::Error| CatalogError::File { path: folder.clone(), problem: format!("cannot be read: {e}") };
+        let fault =
+            |e: std::io::Error| CatalogError::File { path: folder.clone(), problem: format!("cannot be read: {e}") };
         for entry in folder.read_dir().map_err(fault)? {
             let path = entry.map_err(fault)?.path();
             if path.to_string_lossy().ends_with(".json.gz") {
@@ -82,7 +85,8 @@ pub fn gather(home: &Path) -> Result<Gathered, CatalogError> {
     let mut gathered = Gathered::default();
     let paths = object_paths(home, &mut gathered.problems)?;
     let lvis = categories(home, &mut gathered.problems);
-    let shards: Vec<PathBuf> = sources(home)?.into_iter().filter(|f| f.parent() == Some(&home.join(METADATA))).collect();
+    let shards: Vec<PathBuf> =
+        sources(home)?.into_iter().filter(|f| f.parent() == Some(&home.join(METADATA))).collect();
     let known = Known { paths, lvis };
     let read: Vec<Shard> = shards.par_iter().map(|file| shard(file, &known)).collect();
     let mut described: Vec<u32> = Vec::with_capacity(known.paths.len());
@@ -135,6 +139,7 @@ fn shard(file: &Path, known: &Known) -> Shard {
     };
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let folder = name.trim_end_matches(".json.gz");
+    let mut refused = None;
     let parsed = each_entry(&contents.bytes, |uid, metadata: Metadata<'_>| {
         let path = match known.path(&uid) {
             Some((place, path)) => {
@@ -146,11 +151,17 @@ fn shard(file: &Path, known: &Known) -> Shard {
         };
         let category = known.lvis.get(&*uid).map_or("", String::as_str);
         let record = metadata.record(&uid, path, category);
-        if paths::inside(Path::new(""), &record.path).is_ok() {
-            record::add(&mut out.batch, &record);
+        match paths::inside(Path::new(""), &record.path) {
+            Ok(_) => record::add(&mut out.batch, &record),
+            Err(_) => refused = Some(uid),
         }
     });
+    out.batch.close();
     out.problem = contents.problem(parsed, out.batch.count());
+    if let Some(uid) = refused {
+        out.problem
+            .get_or_insert(format!("the uid `{}` is no name of a file: it is left out", super::text::clean(&uid)));
+    }
     out
 }
 
@@ -163,6 +174,7 @@ fn alone(known: &Known, described: &[u32], counts: &mut Counts) -> Batch {
             record::add(&mut batch, &Metadata::default().record(uid, path.to_string(), category));
         }
     }
+    batch.close();
     counts.paths_alone = batch.count() as u64;
     batch
 }
@@ -175,11 +187,14 @@ fn object_paths(home: &Path, problems: &mut Vec<String>) -> Result<Vec<(Box<str>
     let contents = match Contents::read(&file) {
         Ok(contents) => contents,
         Err(error) => {
-            problems.push(format!("{}: cannot be read: {error}; paths are taken from the names of the metadata", file.display()));
+            problems.push(format!(
+                "{}: cannot be read: {error}; paths are taken from the names of the metadata",
+                file.display()
+            ));
             return Ok(paths);
         }
     };
-    let parsed = each_entry(&contents.bytes, |uid, path: std::borrow::Cow<'_, str>| {
+    let parsed = each_entry(&contents.bytes, |uid, Text(path): Text<'_>| {
         if let Err(problem) = paths::inside(Path::new(""), &path) {
             refused.get_or_insert_with(|| format!("{}: {problem}", super::text::clean(&uid)));
         }

@@ -1,9 +1,8 @@
 //! A record of Objaverse's metadata, and what a catalog keeps of it.
 
-use std::borrow::Cow;
-
 use serde::Deserialize;
 
+use super::gzip::Text;
 use crate::catalog::concepts::concepts;
 use crate::catalog::disk::{Batch, Record};
 use crate::catalog::licence::Licence;
@@ -19,9 +18,9 @@ const ABOUT: usize = 160;
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Metadata<'a> {
     #[serde(borrow, default)]
-    name: Option<Cow<'a, str>>,
+    name: Text<'a>,
     #[serde(borrow, default, rename = "viewerUrl")]
-    viewer_url: Option<Cow<'a, str>>,
+    viewer_url: Text<'a>,
     #[serde(borrow, default)]
     tags: Option<Vec<Named<'a>>>,
     #[serde(borrow, default)]
@@ -29,9 +28,9 @@ pub(super) struct Metadata<'a> {
     #[serde(borrow, default)]
     user: Option<User<'a>>,
     #[serde(borrow, default)]
-    description: Option<Cow<'a, str>>,
+    description: Text<'a>,
     #[serde(borrow, default)]
-    license: Option<Cow<'a, str>>,
+    license: Text<'a>,
     #[serde(default, rename = "faceCount")]
     face_count: Option<u64>,
 }
@@ -39,23 +38,23 @@ pub(super) struct Metadata<'a> {
 #[derive(Debug, Deserialize)]
 struct Named<'a> {
     #[serde(borrow, default)]
-    name: Option<Cow<'a, str>>,
+    name: Text<'a>,
 }
 
 #[derive(Debug, Deserialize)]
 struct User<'a> {
     #[serde(borrow, default, rename = "displayName")]
-    display_name: Option<Cow<'a, str>>,
+    display_name: Text<'a>,
     #[serde(borrow, default)]
-    username: Option<Cow<'a, str>>,
+    username: Text<'a>,
 }
 
 impl Metadata<'_> {
     /// What a catalog keeps of it. `category` is the one of LVIS, or empty.
     pub fn record(&self, uid: &str, path: String, category: &str) -> Record {
-        let text = |field: &Option<Cow<'_, str>>| field.as_deref().map(clean).unwrap_or_default();
+        let text = |field: &Text<'_>| clean(&field.0);
         let named = |list: &Option<Vec<Named<'_>>>| -> Vec<String> {
-            let names = list.iter().flatten().filter_map(|tag| tag.name.as_deref());
+            let names = list.iter().flatten().map(|tag| &tag.name.0);
             names.map(|name| clean(&name.replace(';', " "))).filter(|name| !name.is_empty()).collect()
         };
         let name = text(&self.name);
@@ -67,14 +66,14 @@ impl Metadata<'_> {
         let author = user.map(|user| text(&user.display_name)).filter(|author| !author.is_empty());
         let author = author.or_else(|| user.map(|user| text(&user.username))).unwrap_or_default();
         // Descriptions are long and hold markup: only their beginning is looked at.
-        let about = self.description.as_deref().map(|html| without_html(beginning(html, 4 * ABOUT))).unwrap_or_default();
+        let about = without_html(beginning(&self.description.0, 4 * ABOUT));
         Record {
             label: label(&name, category, &tags),
             uid: clean(uid),
             name,
             category: category.into(),
             path,
-            licence: Licence::read(self.license.as_deref().unwrap_or_default()).id,
+            licence: Licence::read(&self.license.0).id,
             author,
             source: text(&self.viewer_url),
             about: beginning(&about, ABOUT).into(),
@@ -102,15 +101,14 @@ pub(super) fn add(batch: &mut Batch, record: &Record) {
 
 /// The label of a model: of its LVIS category, else what its name speaks of, else what most of its tags do.
 fn label(name: &str, category: &str, tags: &[String]) -> String {
-    let category = category.replace('_', " ");
     if !category.is_empty() {
-        let own = category.split('(').next().unwrap_or_default().trim();
-        return concepts().label_in(own).map_or_else(|| own.to_lowercase().replace(' ', "-"), String::from);
+        return concepts().label_of_category(category, name);
     }
     if let Some(label) = concepts().label_in(name) {
         return label.into();
     }
-    let told = tags.iter().find_map(|tag| concepts().label_in(tag).filter(|l| crate::catalog::priors::prior(l).is_some()));
+    let told =
+        tags.iter().find_map(|tag| concepts().label_in(tag).filter(|l| crate::catalog::priors::prior(l).is_some()));
     told.unwrap_or("object").into()
 }
 

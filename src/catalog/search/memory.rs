@@ -48,6 +48,10 @@ impl Terms for MemoryTerms {
     }
 
     fn beginning_with(&self, letter: char) -> Vec<&str> {
-        self.terms.range(String::from(letter)..).map(|(term, _)| term.as_str()).take_while(|term| term.starts_with(letter)).collect()
+        self.terms
+            .range(String::from(letter)..)
+            .map(|(term, _)| term.as_str())
+            .take_while(|term| term.starts_with(letter))
+            .collect()
     }
 }

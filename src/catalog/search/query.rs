@@ -58,7 +58,9 @@ pub fn read(query: &str, terms: &dyn Terms) -> Result<Vec<Wanted>, CatalogError>
             concepts: unit.concepts,
             sure: if same { 1.0 } else { 0.8 },
         };
-        if wanted.concepts.is_empty() && let Some(concept) = wanted.words.iter().find_map(|word| last_part(word)) {
+        if wanted.concepts.is_empty()
+            && let Some(concept) = wanted.words.iter().find_map(|word| last_part(word))
+        {
             (wanted.concepts, wanted.sure) = (concept, 0.7);
         }
         out.push(wanted);

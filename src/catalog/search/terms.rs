@@ -13,7 +13,7 @@ const LABEL: u8 = MOST;
 /// Of a name of one word; longer names say less with each.
 const NAME: u8 = 32;
 /// Of a tag.
-const TAG: u8 = 14;
+pub const TAG: u8 = 14;
 /// Of the group of a label.
 const GROUP: u8 = 16;
 /// Of the material and of the words of a uid.
@@ -59,11 +59,22 @@ pub fn terms_of(model: &Described<'_>) -> BTreeMap<String, u8> {
     }
     terms.name(model.name);
     for tag in model.tags {
-        terms.units(&concepts().read(tag), TAG, TAG);
+        terms_of_tag(tag).into_iter().for_each(|term| terms.add(term, TAG));
     }
-    terms.units(&concepts().read(model.uid), ASIDE, ASIDE);
+    if !model.uid.is_empty() {
+        terms.units(&concepts().read(model.uid), ASIDE, ASIDE);
+    }
     words(model.material).into_iter().for_each(|word| terms.add(word, ASIDE));
     terms.0
+}
+
+/// The terms of a tag; each weighs [`TAG`].
+#[must_use]
+pub fn terms_of_tag(tag: &str) -> Vec<String> {
+    let units = concepts().read(tag);
+    let meant = units.iter().flat_map(|unit| &unit.concepts).map(|&concept| term_of(concept));
+    let meant: Vec<String> = meant.collect();
+    units.into_iter().flat_map(|unit| unit.words).chain(meant).collect()
 }
 
 struct Collected(BTreeMap<String, u8>);

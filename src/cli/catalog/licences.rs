@@ -36,7 +36,7 @@ struct Line {
 
 impl Licences {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
-        let policy = LicencePolicy { allow: self.allow.clone() };
+        let policy = LicencePolicy { allow: self.allow.clone(), ..LicencePolicy::default() };
         let mut lines = Vec::new();
         for opened in self.which.open()? {
             let mut counts: BTreeMap<Licence, (u64, String)> = BTreeMap::new();
@@ -61,7 +61,9 @@ impl Licences {
         }
         let rows = lines.iter().map(|line| {
             let allowed = if line.allowed { "allowed" } else { "refused" };
-            [&line.catalog, &line.licence, &line.models.to_string(), allowed, &line.example, &line.url].map(String::from).to_vec()
+            [&line.catalog, &line.licence, &line.models.to_string(), allowed, &line.example, &line.url]
+                .map(String::from)
+                .to_vec()
         });
         table::print(&["catalog", "licence", "models", "a recipe is", "such as", "terms"], &rows.collect::<Vec<_>>());
         Ok(Code::Done)

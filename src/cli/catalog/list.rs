@@ -65,7 +65,8 @@ impl List {
         if self.json {
             say!("{}", serde_json::to_string_pretty(&lines)?);
         } else {
-            let header = ["catalog", "uid", "label", "size", "known by", "up", "material", "triangles", "closed", "licence"];
+            let header =
+                ["catalog", "uid", "label", "size", "known by", "up", "material", "triangles", "closed", "licence"];
             table::print(&header, &rows);
         }
         Ok(Code::Done)

@@ -18,8 +18,10 @@ use crate::catalog::{Asset, Catalog, find_catalog};
 
 /// Models: indexes, searches, shows and checks catalogs
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  ensonify catalog search \"rusty anchor\"\n  ensonify catalog index path/to/models\n  \
-                        ensonify catalog index ~/.objaverse --into catalogs/objaverse")]
+#[command(
+    after_help = "Examples:\n  ensonify catalog search \"rusty anchor\"\n  ensonify catalog index path/to/models\n  \
+                        ensonify catalog index ~/.objaverse --into catalogs/objaverse"
+)]
 pub struct CatalogVerb {
     #[command(subcommand)]
     verb: Verb,
@@ -72,7 +74,9 @@ impl Which {
             self.catalog.iter().map(find).collect::<anyhow::Result<_>>()?
         };
         if found.is_empty() {
-            bail!("there is no catalog under `catalogs/`; name one with --catalog, or make one with `ensonify catalog index`");
+            bail!(
+                "there is no catalog under `catalogs/`; name one with --catalog, or make one with `ensonify catalog index`"
+            );
         }
         found.into_iter().map(|(name, dir)| Ok(Opened { name, catalog: Catalog::open(&dir)? })).collect()
     }

@@ -9,7 +9,9 @@ use crate::cli::{Code, table};
 
 /// Finds models by words: names, tags and categories, synonyms, several languages, typing errors
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  ensonify catalog search \"rusty anchor\"\n\nIn a recipe: pick: {catalog: starter, search: rusty anchor}")]
+#[command(
+    after_help = "Example:\n  ensonify catalog search \"rusty anchor\"\n\nIn a recipe: pick: {catalog: starter, search: rusty anchor}"
+)]
 pub struct Search {
     /// What to look for, in English, German, Spanish, French or Chinese
     query: String,

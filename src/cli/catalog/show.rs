@@ -72,9 +72,15 @@ impl Show {
             tell(&facts);
         }
         if let Some(output) = &self.output {
-            let Some(model) = &model else { bail!("{} is not on this disk: there is nothing to draw", asset.path.display()) };
+            let Some(model) = &model else {
+                bail!("{} is not on this disk: there is nothing to draw", asset.path.display())
+            };
             let title = format!("{}  {}  {}", asset.uid, asset.label, metres(facts.size_m.unwrap_or_default()));
-            let picture = portrait(&Portrait { model, title: &title, material_of: &|surface| asset.material_of(surface).to_owned() });
+            let picture = portrait(&Portrait {
+                model,
+                title: &title,
+                material_of: &|surface| asset.material_of(surface).to_owned(),
+            });
             picture.save(output).with_context(|| format!("cannot write {}", output.display()))?;
             eprintln!("picture: {}", output.display());
         }
@@ -103,7 +109,8 @@ impl Show {
                 bail!("no catalog has the uid `{}`{near}; `ensonify catalog search` finds models by words", self.uid)
             }
             _ => {
-                let names: Vec<String> = holding.iter().map(|(opened, asset)| format!("{}/{}", opened.name, asset.uid)).collect();
+                let names: Vec<String> =
+                    holding.iter().map(|(opened, asset)| format!("{}/{}", opened.name, asset.uid)).collect();
                 bail!("several catalogs have the uid `{}`: say {}", self.uid, names.join(" or "))
             }
         }
@@ -115,7 +122,9 @@ fn facts(opened: &Opened, asset: &Asset, model: Option<&Model>) -> anyhow::Resul
     let extent = solid.as_ref().map(|solid| solid.extent);
     let licence = Licence::read(&asset.licence);
     let file_units = match (asset.size_m, model) {
-        (None, Some(_)) => crate::catalog::load_model(&asset.path)?.bounds().map(|(low, high)| (high - low).max_element()),
+        (None, Some(_)) => {
+            crate::catalog::load_model(&asset.path)?.bounds().map(|(low, high)| (high - low).max_element())
+        }
         _ => None,
     };
     let sized = file_units.map(|units| asset.size(f64::from(units)));
@@ -163,7 +172,8 @@ fn tell(facts: &Facts) {
         SizeFrom::Guessed => "guessed",
     };
     let size = facts.size_m.map(|size| format!("{} ({known_by})", metres(size))).unwrap_or_default();
-    let sides = facts.dimensions_m.map(|[x, y, z]| format!("{} wide, {} deep, {} high", metres(x), metres(y), metres(z)));
+    let sides =
+        facts.dimensions_m.map(|[x, y, z]| format!("{} wide, {} deep, {} high", metres(x), metres(y), metres(z)));
     let triangles = facts.triangles.map(|count| count.to_string()).unwrap_or_default();
     let closed = facts.watertight.map_or("", |closed| if closed { ", closed" } else { ", not closed" });
     let file = if facts.on_disk { facts.path.clone() } else { format!("{} (not on this disk)", facts.path) };
@@ -183,7 +193,10 @@ fn tell(facts: &Facts) {
         ("problems", facts.problems.clone()),
         ("file", file),
     ];
-    lines.iter().filter(|(_, text)| !text.trim().is_empty()).for_each(|(key, text)| say!("  {key:<10} {}", text.trim()));
+    lines
+        .iter()
+        .filter(|(_, text)| !text.trim().is_empty())
+        .for_each(|(key, text)| say!("  {key:<10} {}", text.trim()));
     for Surface { name, material, share } in &facts.surfaces {
         let name = if name.is_empty() { "(unnamed)" } else { name };
         say!("  {:<10} {name}: {material}, {:.0} %", "surface", 100.0 * share);

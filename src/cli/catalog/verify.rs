@@ -47,9 +47,9 @@ impl Verify {
         } else {
             outcomes.iter().for_each(tell);
         }
-        let sound = outcomes.iter().all(|o| {
-            o.changed.is_empty() && o.missing.is_empty() && o.not_locked.is_empty() && o.problems.is_empty()
-        });
+        let sound = outcomes
+            .iter()
+            .all(|o| o.changed.is_empty() && o.missing.is_empty() && o.not_locked.is_empty() && o.problems.is_empty());
         Ok(if sound { Code::Done } else { Code::Different })
     }
 }
@@ -71,7 +71,10 @@ fn folder(opened: &Opened) -> anyhow::Result<Outcome> {
             outcome.missing.push(path.clone());
             continue;
         }
-        match paths::real(&root, &file).map_err(|e| e.to_string()).and_then(|f| sha256_of(&f).map_err(|e| e.to_string())) {
+        match paths::real(&root, &file)
+            .map_err(|e| e.to_string())
+            .and_then(|f| sha256_of(&f).map_err(|e| e.to_string()))
+        {
             Ok(now) if now == *sha256 => outcome.same += 1,
             Ok(_) => outcome.changed.push(path.clone()),
             Err(problem) => outcome.problems.push(problem),
@@ -101,8 +104,15 @@ fn collection(opened: &Opened) -> anyhow::Result<Outcome> {
 
 fn tell(outcome: &Outcome) {
     let Outcome { catalog, same, changed, missing, not_locked, problems } = outcome;
-    say!("{catalog}: {same} as indexed, {} changed, {} missing, {} not in the lock", changed.len(), missing.len(), not_locked.len());
-    for (kind, list) in [("changed", changed), ("missing", missing), ("not in the lock", not_locked), ("problem", problems)] {
+    say!(
+        "{catalog}: {same} as indexed, {} changed, {} missing, {} not in the lock",
+        changed.len(),
+        missing.len(),
+        not_locked.len()
+    );
+    for (kind, list) in
+        [("changed", changed), ("missing", missing), ("not in the lock", not_locked), ("problem", problems)]
+    {
         list.iter().for_each(|what| say!("  {kind}: {what}"));
     }
     if !(changed.is_empty() && missing.is_empty() && not_locked.is_empty()) {
