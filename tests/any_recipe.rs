@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use ensonify::math::rng::Stream;
-use ensonify::plan::{PlanError, compile, schema};
+use ensonify::plan::{Plan, PlanError, compile, corners, schema};
 use ensonify::recipe::{self, Recipe};
 use ensonify::scene::AssetCache;
 use serde_json::{Map, Value, json};
@@ -19,7 +19,7 @@ fn recipes() -> PathBuf {
 }
 
 /// Reads and compiles a text, whatever it asks for made small; `Ok` when it is accepted.
-fn accepted(text: &str, assets: &AssetCache) -> Result<(), recipe::Error> {
+fn compiled(text: &str, assets: &AssetCache) -> Result<(Recipe, Plan), recipe::Error> {
     let mut recipe = Recipe::parse("any.yaml", text)?;
     for (key, few) in [("scenes", "1"), ("frames", "2")] {
         if recipe.node().get(key).and_then(recipe::Node::number).is_some_and(|number| number > 3.0) {
@@ -29,17 +29,17 @@ fn accepted(text: &str, assets: &AssetCache) -> Result<(), recipe::Error> {
     match compile(&recipe, "any", &recipes(), assets) {
         Ok(plan) => {
             assert!(!plan.json().is_empty());
-            Ok(())
+            Ok((recipe, plan))
         }
         Err(PlanError::Recipe(error)) => Err(error),
-        Err(error @ PlanError::Catalog(_)) => panic!("a fault without a place: {error}"),
+        Err(error @ (PlanError::Catalog(_) | PlanError::Plan(_))) => panic!("a fault without a place: {error}"),
     }
 }
 
 /// Holds a text to the promise; tells whether it was accepted.
 fn judge(text: &str, assets: &AssetCache) -> bool {
     let begun = Instant::now();
-    let outcome = catch_unwind(AssertUnwindSafe(|| accepted(text, assets)));
+    let outcome = catch_unwind(AssertUnwindSafe(|| compiled(text, assets).map(|_| ())));
     let taken = begun.elapsed();
     let Ok(outcome) = outcome else { panic!("this recipe makes the program panic:\n{text}") };
     assert!(taken < SOON, "{taken:?} for\n{text}");
@@ -49,6 +49,16 @@ fn judge(text: &str, assets: &AssetCache) -> bool {
         assert!(error.line().is_some() || error.message == "is empty", "no place: {error}\nfor\n{text}");
     }
     outcome.is_ok()
+}
+
+/// Tries the corners of a recipe that is accepted: they hold, or a fault has its place.
+fn try_corners(text: &str, assets: &AssetCache) {
+    let (recipe, plan) = compiled(text, assets).expect("accepted before");
+    match corners(&recipe, &plan, &recipes(), assets) {
+        Ok(_) => {}
+        Err(PlanError::Recipe(error)) => assert!(error.line().is_some(), "no place: {error}\nfor\n{text}"),
+        Err(error) => panic!("a fault without a place: {error}\nfor\n{text}"),
+    }
 }
 
 /// Values made from a schema.
@@ -157,7 +167,11 @@ fn a_thousand_recipes_of_known_keys_are_accepted_or_refused_with_a_place() {
         }
         made.insert("ensonify".to_owned(), json!(1));
         made.remove("include");
-        accepted += u32::from(judge(&Value::Object(made).to_string(), &assets));
+        let text = Value::Object(made).to_string();
+        if judge(&text, &assets) {
+            accepted += 1;
+            try_corners(&text, &assets);
+        }
     }
     println!("{accepted} of 1000 are accepted");
     assert!((100..950).contains(&accepted), "{accepted} are accepted: the recipes are all good or all bad");

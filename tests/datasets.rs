@@ -3,14 +3,13 @@
 
 mod support;
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
-use support::cli::{Desk, messages, small_recipe};
+use support::cli::{Desk, files, messages, small_recipe};
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(path).expect("readable")).expect("JSON")
@@ -18,24 +17,6 @@ fn json(path: &Path) -> Value {
 
 fn dataset_hash(folder: &Path) -> String {
     json(&folder.join("manifest.json"))["dataset_hash"].as_str().expect("a finished dataset").to_owned()
-}
-
-/// Every file of a dataset but the journal, whose lines stand in the order of completion.
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut found = BTreeMap::new();
-    let mut folders = vec![folder.to_owned()];
-    while let Some(next) = folders.pop() {
-        for entry in fs::read_dir(next).expect("readable") {
-            let path = entry.expect("an entry").path();
-            let name = path.strip_prefix(folder).expect("below").to_string_lossy().into_owned();
-            if path.is_dir() {
-                folders.push(path);
-            } else if !name.starts_with("shards/") {
-                found.insert(name, fs::read(path).expect("readable"));
-            }
-        }
-    }
-    found
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn a_shared_draw_is_the_same_in_every_section_and_moves_no_other() {
         .replace("elevations: 150, range_m", "range_m");
     desk.file("shared.yaml", &text);
     let (plain, shared) = (plan(&desk, &["plain.yaml"]), plan(&desk, &["shared.yaml"]));
-    assert_eq!(shared["frames"], 2);
+    assert_eq!(shared["frames_per_scene"], 2);
     let mut heights = Vec::new();
     for job in shared["jobs"].as_array().expect("jobs") {
         let height = &job["trajectory"]["orbit"]["altitude_m"];
@@ -118,7 +118,7 @@ fn a_recipe_over_another_and_settings_are_told_in_the_manifest() {
     }
     assert_eq!(manifest["includes"][0]["name"], "parts/base.yaml");
     assert_eq!(manifest["includes"][0]["sha256"].as_str().map(str::len), Some(64));
-    assert_eq!((&plan["seed"], &plan["frames"]), (&Value::from(9), &Value::from(2)));
+    assert_eq!((&plan["seed"], &plan["frames_per_scene"]), (&Value::from(9), &Value::from(2)));
     assert_eq!(plan["jobs"][0]["sonar"]["beams"], 64);
     assert_eq!(plan["jobs"][0]["sonar"]["azimuth_deg"], 90.0, "from the file under it");
     // A fault is told in the file that it stands in.

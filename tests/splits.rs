@@ -77,3 +77,68 @@ fn variants_are_dealt_out_whole() {
     let message = refusal(&text);
     assert!(message.contains("a.yaml:15:") && message.contains("no variants"), "{message}");
 }
+
+/// A catalog of so many models for each label, all of one file.
+fn catalog(desk: &Desk, labels: &[(&str, usize)]) {
+    let starter = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("catalogs/starter");
+    let index = std::fs::read_to_string(starter.join("catalog.csv")).expect("readable");
+    let row = index.lines().find(|line| line.starts_with("tire,")).expect("listed");
+    let path = row.split(',').find(|cell| cell.ends_with(".glb")).expect("a model");
+    let mut rows = "uid,name,label,tags,path,size_m,up,material,licence,attribution,source\n".to_owned();
+    for (label, models) in labels {
+        for i in 0..*models {
+            rows += &format!("{label}-{i},{label},{label},all,m.glb,0.6,y,rubber,l,a,s\n");
+        }
+    }
+    desk.file("models/catalog.csv", &rows);
+    std::fs::copy(starter.join(path), desk.path().join("models/m.glb")).expect("copied");
+}
+
+/// Splits of each model, in a plan of many scenes that pick among all of the catalog.
+fn dealt(desk: &Desk, stratify: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let splits = format!("splits: {{train: 0.6, val: 0.2, test: 0.2, by: asset, stratify: {stratify}}}\n");
+    let text = small_recipe(120).replace("catalog: starter, tags: [debris]", "catalog: models") + &splits;
+    desk.file("a.yaml", &text.replace("{int: [1, 3]}", "6"));
+    let output = desk.run(&["plan", "a.yaml", "--json"]);
+    assert!(output.status.success(), "{}", messages(&output));
+    splits_of(&serde_json::from_slice(&output.stdout).expect("JSON"), assets)
+}
+
+#[test]
+fn stratified_every_class_of_enough_models_is_in_every_split() {
+    let desk = Desk::new();
+    catalog(&desk, &[("few", 3), ("some", 5), ("many", 10), ("single", 1)]);
+    let found = dealt(&desk, "label");
+    assert!(found.len() == 19 && found.values().all(|splits| splits.len() == 1), "no model leaks: {found:?}");
+    let counts = |label: &str| {
+        ["train", "val", "test"].map(|split| {
+            let of_label = found.iter().filter(|(uid, _)| uid.contains(label));
+            of_label.filter(|(_, splits)| splits.contains(&format!("\"{split}\""))).count()
+        })
+    };
+    assert_eq!((counts("few"), counts("some"), counts("many")), ([1, 1, 1], [3, 1, 1], [6, 2, 2]));
+    // Without it, chance leaves small classes out of some split.
+    let plain = dealt(&desk, "none");
+    let splits_of_few: BTreeSet<_> = plain.iter().filter(|(uid, _)| uid.contains("few")).flat_map(|(_, s)| s).collect();
+    assert!(plain != found && splits_of_few.len() <= 3);
+}
+
+#[test]
+fn one_more_model_moves_few_others_and_none_of_another_class() {
+    let desk = Desk::new();
+    catalog(&desk, &[("some", 7), ("many", 10)]);
+    let before = dealt(&desk, "label");
+    catalog(&desk, &[("some", 8), ("many", 10)]);
+    let after = dealt(&desk, "label");
+    let moved: Vec<&String> =
+        before.iter().filter(|(uid, splits)| after[*uid] != **splits).map(|(uid, _)| uid).collect();
+    assert!(moved.len() <= 2 && moved.iter().all(|uid| uid.contains("some")), "{moved:?}");
+}
+
+#[test]
+fn only_models_are_stratified() {
+    let message = refusal(&(small_recipe(4) + "splits: {stratify: label}\n"));
+    assert!(message.contains("a.yaml:15:") && message.contains("by: asset"), "{message}");
+    let message = refusal(&(small_recipe(4) + "splits: {by: asset, stratify: labels}\n"));
+    assert!(message.contains("did you mean `label`"), "{message}");
+}

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 use super::error::CatalogError;
 use super::glb::load_model;
@@ -54,7 +55,8 @@ pub struct Asset {
 }
 
 /// Which axis of a model file's frame points up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Up {
     /// As glTF wants it.
     #[default]

@@ -4,6 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::asset::Asset;
+
 /// Name of a licence that nobody stated.
 pub const UNKNOWN: &str = "unknown";
 
@@ -158,6 +160,25 @@ impl LicencePolicy {
             None => licence.known,
             Some(list) => list.iter().any(listed),
         }
+    }
+
+    /// The models that a pick goes on with: where others are left out, those whose licence is allowed.
+    ///
+    /// # Errors
+    /// If none is left.
+    pub fn narrowed<'m>(&self, models: Vec<&'m Asset>) -> Result<Vec<&'m Asset>, String> {
+        let count = models.len();
+        let may = |asset: &&Asset| match self.others {
+            Others::Refuse => true,
+            Others::LeaveOut => self.allows(&Licence::read(&asset.licence)),
+        };
+        let allowed: Vec<&Asset> = models.into_iter().filter(may).collect();
+        if allowed.is_empty() {
+            return Err(format!(
+                "none of the {count} models of this pick is under a licence that `licences` allows; allow more, or pick others"
+            ));
+        }
+        Ok(allowed)
     }
 
     /// Refuses a licence that may not be used, with the remedy.

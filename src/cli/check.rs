@@ -1,114 +1,196 @@
-//! `ensonify check`: everything that `run` would refuse, before anything is rendered.
+//! `ensonify check`: everything that `run` would refuse, before anything is rendered, and what a run will take.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use clap::Args;
+use serde::Serialize;
 
-use super::{Code, RecipeArgs};
-use crate::catalog::solidity::facet_error;
-use crate::image::Channel;
-use crate::image::reach::REACH_SEABED_DB;
-use crate::physics::absorption::francois_garrison;
-use crate::plan::Plan;
-use crate::run::{Project, World};
+use super::{Code, RecipeArgs, processors};
+use crate::plan::{Plan, Tried};
+use crate::run::warnings::{self, Warning};
+use crate::run::{Project, Survey, survey, trial};
 
-/// Speed of sound that resolutions are told by, m/s.
-const NOMINAL_SPEED: f64 = 1500.0;
-/// Most notes of a kind.
-const MOST_NOTES: usize = 8;
-
-/// Checks a recipe without rendering anything
+/// Checks a recipe or a plan and tells what it makes
 ///
-/// Draws every scene and frame, opens every catalog and model that is picked and builds the first scene. What passes here
-/// is not refused by `run`.
+/// Draws every scene and frame, then every distribution at its ends, and opens every model that could be picked: what passes
+/// here is not refused by `run`, with another seed or more scenes neither. Then builds some scenes and renders up to three
+/// frames, without writing anything, for warnings and estimates.
 #[derive(Debug, Args)]
+#[command(after_help = "Warnings (notes, on standard error) do not change the exit code.\n\nExamples:\n  \
+    ensonify check survey.yaml\n  ensonify check survey.yaml --json | jq .estimate.seconds")]
 pub struct Check {
     #[command(flatten)]
     recipe: RecipeArgs,
+    /// Builds and renders nothing: no estimates, no warnings about what is in view
+    #[arg(long)]
+    quick: bool,
+    /// Threads that the estimate is for [default: one a processor]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// The same as JSON, with stable names
+    #[arg(long)]
+    json: bool,
+}
+
+/// What a recipe makes.
+#[derive(Debug, Serialize)]
+struct Report {
+    name: String,
+    plan_hash: String,
+    variants: u64,
+    scenes: u64,
+    frames: u64,
+    /// Names of looks; none where there is but one without a name.
+    looks: Vec<String>,
+    /// Pictures of all frames, looks and views.
+    images: u64,
+    /// Frames by split.
+    splits: BTreeMap<&'static str, u64>,
+    /// Objects in the scenes by class.
+    objects: BTreeMap<String, u64>,
+    /// Models and other files in the plan.
+    models: u64,
+    /// Models that could be picked, all of them opened; 0 of a plan.
+    models_possible: u64,
+    /// Ends of distributions that were tried; 0 of a plan.
+    corners: u64,
+    /// Ends that there are.
+    corners_in_all: u64,
+    estimate: Option<Estimate>,
+    warnings: Vec<Warning>,
+}
+
+/// What a run will take.
+#[derive(Debug, Serialize)]
+struct Estimate {
+    threads: u64,
+    seconds: f64,
+    bytes: u64,
+    /// Frames that were rendered for it.
+    frames_timed: u64,
+    seconds_per_frame: f64,
+    seconds_per_scene: f64,
 }
 
 impl Check {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
         let project = self.recipe.load()?;
-        let plan = &project.plan;
-        let world = World::build(&plan.scenes[0], &project.assets)?;
-        let mut labels: BTreeMap<&str, u64> = BTreeMap::new();
-        for body in plan.scenes.iter().flat_map(|scene| &scene.spec.bodies) {
-            *labels.entry(&body.label).or_default() += 1;
+        let tried = project.try_corners()?;
+        let mut report = Report::of(&project, tried);
+        if !self.quick {
+            let found = survey(&project)?;
+            report.estimate = Some(self.estimate(&project, &found)?);
+            report.warnings.extend(warnings::of_models(&project.plan, &project.assets));
+            report.warnings.extend(warnings::of_survey(&found));
         }
-        let mut splits: BTreeMap<&str, u64> = BTreeMap::new();
-        plan.jobs.iter().for_each(|job| *splits.entry(job.split.name()).or_default() += 1);
-        let list = |counts: &BTreeMap<&str, u64>| {
-            counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
-        };
-        say!("{} is fine", self.recipe.recipe.display());
-        say!("  scenes    {}", plan.header.scenes);
-        if !plan.variants.is_empty() {
-            say!("  variants  {}", plan.variants.len());
-            plan.variants.iter().for_each(|variant| say!("    {}  {}", variant.id, variant.description));
+        if self.json {
+            say!("{}", serde_json::to_string_pretty(&report)?);
+            return Ok(Code::Done);
         }
-        say!("  frames    {} ({})", plan.jobs.len(), list(&splits));
-        say!("  objects   {}", if labels.is_empty() { "none".to_owned() } else { list(&labels) });
-        say!("  models    {}", plan.assets.len());
-        say!("  plan hash {}", project.plan_hash);
-        for (split, share) in plan.header.splits.shares() {
-            if share > 0.0 && !splits.contains_key(split.name()) {
-                eprintln!("note: no scene falls into the split {split}; more scenes fill it");
-            }
-        }
+        self.tell(&report, &project.plan);
         let notes = project.notes.iter().map(ToString::to_string);
-        for note in notes.chain(acoustic_notes(plan)).chain(model_notes(&project)) {
-            eprintln!("note: {note}");
-        }
-        for dropped in &world.built().dropped {
-            eprintln!("note: scene 0: {} is left out: {}", dropped.asset, dropped.reason);
-        }
+        notes.chain(report.warnings.into_iter().map(|warning| warning.text)).for_each(|note| eprintln!("note: {note}"));
         Ok(Code::Done)
     }
-}
 
-/// Models that are coarser than the sonars resolve: their facets glint where the thing itself is round.
-fn model_notes(project: &Project) -> BTreeSet<String> {
-    let bandwidth = project.plan.jobs.iter().map(|job| job.sonar.bandwidth_khz).fold(0.0, f64::max);
-    let resolution = NOMINAL_SPEED / (2.0 * 1000.0 * bandwidth.max(1e-3));
-    let bodies = project.plan.scenes.iter().flat_map(|scene| &scene.spec.bodies);
-    let models: BTreeSet<(&str, &str)> = bodies.map(|body| (body.catalog.as_str(), body.uid.as_str())).collect();
-    let coarse = models.into_iter().filter_map(|(catalog, uid)| {
-        let solid = project.assets.solid(catalog, uid).ok()?;
-        let error = facet_error(solid.mesh.triangles());
-        (error > resolution).then(|| {
-            format!(
-                "{catalog}/{uid} is coarse: its facets depart by {:.1} cm from the round shape that they stand for, and the sonar \
-                 resolves {:.1} cm in range",
-                100.0 * error,
-                100.0 * resolution
-            )
+    fn estimate(&self, project: &Project, found: &Survey) -> anyhow::Result<Estimate> {
+        let timed = trial(project)?;
+        let (frames, scenes) = (project.plan.jobs.len() as f64, project.plan.scenes.len() as f64);
+        let threads = self.jobs.map_or_else(processors, usize::from);
+        let seconds_per_scene = found.building_s / found.scenes.max(1) as f64;
+        let work = frames * timed.frame_s + scenes * seconds_per_scene;
+        // More threads than processors do not help, nor more than frames.
+        let abreast = threads.min(processors()) as f64;
+        Ok(Estimate {
+            threads: threads as u64,
+            seconds: work / abreast.min(frames),
+            bytes: (frames * timed.frame_bytes) as u64 + project.plan_json.len() as u64,
+            frames_timed: timed.frames,
+            seconds_per_frame: timed.frame_s,
+            seconds_per_scene,
         })
-    });
-    coarse.take(MOST_NOTES).collect()
+    }
+
+    fn tell(&self, report: &Report, plan: &Plan) {
+        let list = |counts: Vec<(&str, u64)>| {
+            counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
+        };
+        let splits = list(report.splits.iter().map(|(name, count)| (*name, *count)).collect());
+        let objects = list(report.objects.iter().map(|(name, count)| (name.as_str(), *count)).collect());
+        say!("{} is fine", self.recipe.file().display());
+        say!("  scenes    {}", report.scenes);
+        if !plan.variants.is_empty() {
+            say!("  variants  {}", report.variants);
+            plan.variants.iter().for_each(|variant| say!("    {}  {}", variant.id, variant.description));
+        }
+        say!("  frames    {} ({splits})", report.frames);
+        if !report.looks.is_empty() {
+            say!("  looks     {} ({})", report.looks.len(), report.looks.join(", "));
+        }
+        say!("  images    {}", report.images);
+        say!("  objects   {}", if objects.is_empty() { "none" } else { &objects });
+        let possible = match report.models_possible {
+            0 => String::new(),
+            possible => format!("; {possible} that could be picked can be read"),
+        };
+        say!("  models    {}{possible}", report.models);
+        if report.corners > 0 {
+            let all = report.corners_in_all;
+            let of = if all > report.corners { format!(" of {all}") } else { String::new() };
+            say!("  corners   {}{of} ends of distributions tried", report.corners);
+        }
+        if let Some(estimate) = &report.estimate {
+            let Estimate { threads, seconds, frames_timed, seconds_per_frame, bytes, .. } = estimate;
+            let (time, each) = (duration(*seconds), duration(*seconds_per_frame));
+            say!("  time      about {time} with {threads} threads ({each} a frame on one; {frames_timed} timed)");
+            say!("  disk      about {}", size(*bytes as f64));
+        }
+        say!("  plan hash {}", report.plan_hash);
+    }
 }
 
-/// What an acoustician would say of a plan's sonars and waters; each thing once.
-fn acoustic_notes(plan: &Plan) -> BTreeSet<String> {
-    let mut notes = BTreeSet::new();
-    for job in &plan.jobs {
-        let (sonar, far) = (&job.sonar, job.sonar.range_m[1]);
-        let name = sonar.device.as_deref().unwrap_or("the sonar");
-        for look in &job.looks {
-            let reach = Channel::new(sonar, &look.water).reach_m();
-            if far > reach {
-                notes.insert(format!(
-                    "{name} hears a seabed of {REACH_SEABED_DB} dB only to about {reach:.0} m: beyond it, up to its range_m of \
-                     {far} m, images show noise"
-                ));
-            }
-            for outside in francois_garrison(sonar.frequency_khz, &look.water.water).outside {
-                notes.insert(format!("absorption is carried beyond its stated range: {outside}"));
-            }
+impl Report {
+    fn of(project: &Project, tried: Tried) -> Self {
+        let plan = &project.plan;
+        let mut objects: BTreeMap<String, u64> = BTreeMap::new();
+        for body in plan.scenes.iter().flat_map(|scene| &scene.spec.bodies) {
+            *objects.entry(body.label.clone()).or_default() += 1;
         }
-        if notes.len() >= MOST_NOTES {
-            break;
+        let mut splits: BTreeMap<&'static str, u64> = BTreeMap::new();
+        plan.jobs.iter().for_each(|job| *splits.entry(job.split.name()).or_default() += 1);
+        let looks = plan.jobs.first().map_or(&[][..], |job| &job.looks);
+        let views = plan.header.output.views.len() as u64;
+        Self {
+            name: plan.header.name.clone(),
+            plan_hash: project.plan_hash.clone(),
+            variants: plan.variants.len().max(1) as u64,
+            scenes: plan.scenes.len() as u64,
+            frames: plan.jobs.len() as u64,
+            looks: looks.iter().filter_map(|look| look.name.clone()).collect(),
+            images: plan.jobs.len() as u64 * looks.len() as u64 * views,
+            splits,
+            objects,
+            models: plan.assets.len() as u64,
+            models_possible: tried.models as u64,
+            corners: tried.corners as u64,
+            corners_in_all: tried.corners_in_all as u64,
+            estimate: None,
+            warnings: warnings::of_plan(plan),
         }
     }
-    notes
+}
+
+/// A time for people.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1.0 => format!("{:.0} ms", 1000.0 * s),
+        s if s < 100.0 => format!("{s:.1} s"),
+        s if s < 6000.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+/// A length for people.
+fn size(bytes: f64) -> String {
+    if bytes < 1e9 { format!("{:.1} MB", bytes / 1e6) } else { format!("{:.1} GB", bytes / 1e9) }
 }

@@ -22,14 +22,14 @@ mod status;
 mod table;
 mod water;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 
 use crate::plan::PlanError;
 use crate::recipe::Outside;
-use crate::run::{Given, Project};
+use crate::run::{Given, GivenPlan, Project};
 
 /// Exit codes, the same for every verb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,24 +76,45 @@ enum Verb {
     Catalog(catalog::CatalogVerb),
 }
 
-/// A recipe on the command line.
+/// A recipe on the command line, or a plan.
 #[derive(Debug, Args)]
 struct RecipeArgs {
     /// The recipe, a YAML file
-    recipe: PathBuf,
+    #[arg(required_unless_present = "plan", conflicts_with = "plan")]
+    recipe: Option<PathBuf>,
     /// Changes a value of the recipe, such as --set frames=5 or --set water.temperature_c=4
-    #[arg(long, value_name = "PATH=VALUE")]
+    #[arg(long, value_name = "PATH=VALUE", conflicts_with = "plan")]
     set: Vec<String>,
     /// Lets `include:` read files outside of the recipe's folder
-    #[arg(long)]
+    #[arg(long, conflicts_with = "plan")]
     allow_outside: bool,
+    /// Takes a plan instead of a recipe: what `plan --json` writes, or a dataset's plan.json; `-` is standard input
+    #[arg(long, value_name = "FILE")]
+    plan: Option<PathBuf>,
+    /// Where relative paths in the plan begin: catalogs, GLB files, height maps [default: the plan's folder]
+    #[arg(long, value_name = "DIR", requires = "plan")]
+    base: Option<PathBuf>,
 }
 
 impl RecipeArgs {
     fn load(&self) -> Result<Project, PlanError> {
+        if let Some(path) = &self.plan {
+            return Project::load_plan(&GivenPlan { path, base: self.base.as_deref() });
+        }
         let outside = if self.allow_outside { Outside::Allowed } else { Outside::Refused };
-        Project::load(&Given { path: &self.recipe, sets: &self.set, outside })
+        Project::load(&Given { path: self.file(), sets: &self.set, outside })
     }
+
+    /// The file that was given.
+    fn file(&self) -> &Path {
+        let given = self.recipe.as_ref().or(self.plan.as_ref());
+        given.expect("the arguments have a recipe or a plan")
+    }
+}
+
+/// Threads where `--jobs` does not say.
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 /// Parses the arguments of this process and does what they say.

@@ -9,11 +9,11 @@ use super::{Code, RecipeArgs};
 use crate::label::{View, ViewLabels};
 use crate::plan::{Header, Plan, Raw};
 use crate::run::render::{Frame, Picture, Renderer};
-use crate::run::{Project, World};
+use crate::run::{Project, World, spread};
 use crate::store::png;
 use crate::view::{GreyImage, SheetFrame, contact_sheet};
 
-/// Draws a contact sheet of a few frames of a recipe
+/// Draws a contact sheet of a few frames of a recipe or a plan
 ///
 /// Each row is one frame in one look: the polar and the fan image, each without and with its masks and boxes. The frames are those
 /// that `run` would make, taken evenly from all of them.
@@ -50,12 +50,6 @@ impl Preview {
         say!("{}", path.display());
         Ok(Code::Done)
     }
-}
-
-/// `wanted` of `total` ids, evenly spread, each once.
-fn spread(total: u64, wanted: u64) -> Vec<u64> {
-    let count = wanted.min(total);
-    (0..count).map(|i| (2 * i + 1) * total / (2 * count)).collect()
 }
 
 struct Row {
@@ -103,15 +97,4 @@ impl Row {
 fn on_sheet(picture: &Picture, look: usize) -> (GreyImage<'_>, &ViewLabels) {
     let (width, height) = (picture.labels.width, picture.labels.height);
     (GreyImage { width, height, pixels: &picture.looks[look] }, &picture.labels)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::spread;
-
-    #[test]
-    fn frames_are_taken_evenly_and_once() {
-        assert_eq!(spread(200, 4), [25, 75, 125, 175]);
-        assert_eq!(spread(3, 10), [0, 1, 2]);
-    }
 }

@@ -7,18 +7,19 @@ use std::time::Instant;
 use clap::Args;
 
 use super::progress::Progress;
-use super::{Code, RecipeArgs};
+use super::{Code, RecipeArgs, processors};
 use crate::run::{Ended, Options, Project, RunError, run};
 use crate::store::{Identity, Status, Store};
 
-/// Renders a recipe into a dataset
+/// Renders a recipe or a plan into a dataset
 ///
-/// The recipe is checked whole before anything is written. Frames are written one by one, each complete or not at all:
+/// It is checked whole before anything is written. Frames are written one by one, each complete or not at all:
 /// after Ctrl-C, a crash or a power cut the same command goes on where it stopped. The bytes do not depend on --jobs, on
 /// interruptions or on the machine.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  ensonify run recipes/quickstart.yaml\n  \
-    ensonify run survey.yaml -o /data/survey --jobs 8\n  ensonify run survey.yaml --set seed=8 -o out/survey-8")]
+    ensonify run survey.yaml -o /data/survey --jobs 8\n  ensonify run survey.yaml --set seed=8 -o out/survey-8\n  \
+    ensonify run --plan survey/plan.json -o out/again")]
 pub struct Run {
     #[command(flatten)]
     recipe: RecipeArgs,
@@ -45,7 +46,7 @@ impl Run {
             name: &header.name,
             plan_hash: &project.plan_hash,
             frames: project.plan.jobs.len() as u64,
-            recipe_text: &project.recipe_text,
+            recipe_text: project.recipe_text.as_deref(),
             sets: &project.plan.sets,
             includes: &project.includes,
             plan_json: &project.plan_json,
@@ -106,8 +107,4 @@ impl Run {
             }
         }
     }
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }

@@ -1,18 +1,17 @@
 //! From a recipe to a plan: sections drawn scene by scene and frame by frame, models chosen, everything checked.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::path::Path;
 
-use sha2::{Digest as _, Sha256};
-
+use super::deal::Deal;
 use super::sections::{ObjectEntry, SWEPT, Sections, Turn, World};
 use super::{AssetLock, Header, Job, Plan, PlanError, ScenePlan, Split, SplitBy, VariantPlan};
-use crate::catalog::licence::Others;
-use crate::catalog::{Asset, CatalogError, Licence, LicencePolicy, materials};
+use crate::catalog::{Asset, Catalog, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
-use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
+use crate::scene::{AssetCache, BodySpec, EnvironmentSpec, Labels, SceneError, SceneSpec};
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
 ///
@@ -22,9 +21,7 @@ use crate::scene::{AssetCache, BodySpec, Labels, SceneError, SceneSpec};
 /// The first fault of the recipe, of a catalog or of a model, located in the recipe.
 pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCache) -> Result<Plan, PlanError> {
     recipe.completed().version()?;
-    let variants = recipe.variants(&SWEPT)?;
-    let unswept = [Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
-    let all = if variants.is_empty() { &unswept[..] } else { &variants };
+    let (variants, all) = variants(recipe)?;
     let first = Sections::new(&all[0].recipe, recipe_dir)?;
     let header = first.header(stem, all.len() as u64)?;
     let names = variants.iter().enumerate().map(|(number, variant)| named(number, variant, header.seed)).collect();
@@ -43,11 +40,17 @@ pub fn compile(recipe: &Recipe, stem: &str, recipe_dir: &Path, assets: &AssetCac
             Some(sections) => sections,
             None => Sections::new(&variant.recipe, recipe_dir)?,
         };
-        let seed = plan.variants.get(number).map_or(plan.header.seed, |variant| variant.seed);
-        let variant = plan.variants.get(number).cloned();
-        Compiler { sections, recipe_dir, assets, seed, variant }.scenes(&mut plan)?;
+        Compiler::new(sections, &plan, number, Files { recipe_dir, assets }).scenes(&mut plan)?;
     }
     Ok(plan)
+}
+
+/// The variants of a sweep; and of a recipe without one, the recipe itself.
+pub(super) fn variants(recipe: &Recipe) -> Result<(Vec<Variant>, Vec<Variant>), PlanError> {
+    let variants = recipe.variants(&SWEPT)?;
+    let unswept = || vec![Variant { recipe: recipe.clone(), set: BTreeMap::new(), repeat: None }];
+    let all = if variants.is_empty() { unswept() } else { variants.clone() };
+    Ok((variants, all))
 }
 
 /// What a person should know of a recipe that can be run.
@@ -66,16 +69,33 @@ fn named(number: usize, variant: &Variant, seed: u64) -> VariantPlan {
     VariantPlan { id, description, set: variant.set.clone(), repeat: variant.repeat, seed }
 }
 
+/// Where files are found and kept.
+#[derive(Clone, Copy)]
+pub(super) struct Files<'a> {
+    pub recipe_dir: &'a Path,
+    pub assets: &'a AssetCache,
+}
+
 /// One variant on its way into the plan.
-struct Compiler<'a> {
-    sections: Sections,
+pub(super) struct Compiler<'a> {
+    pub sections: Sections,
     recipe_dir: &'a Path,
     assets: &'a AssetCache,
     seed: u64,
     variant: Option<VariantPlan>,
+    /// Of each catalog by name, where models are dealt out.
+    deals: RefCell<BTreeMap<String, Deal>>,
 }
 
-impl Compiler<'_> {
+impl<'a> Compiler<'a> {
+    /// The compiler of a variant by its number; of a recipe without a sweep that is 0.
+    pub fn new(sections: Sections, plan: &Plan, number: usize, files: Files<'a>) -> Self {
+        let variant = plan.variants.get(number).cloned();
+        let seed = variant.as_ref().map_or(plan.header.seed, |variant| variant.seed);
+        let Files { recipe_dir, assets } = files;
+        Self { sections, recipe_dir, assets, seed, variant, deals: RefCell::default() }
+    }
+
     /// Adds every scene and frame of the variant to the plan.
     fn scenes(&self, plan: &mut Plan) -> Result<(), PlanError> {
         for index in 0..plan.header.scenes {
@@ -85,7 +105,7 @@ impl Compiler<'_> {
             for frame in 0..plan.header.frames {
                 let address = self.address(index, Level::Frame(frame));
                 let shared = self.sections.lets.draw(&address)?;
-                let sections = self.sections.frame(&Turn { address, shared: &shared })?;
+                let sections = self.sections.frame(&Turn { address, shared: &shared, corner: None })?;
                 plan.jobs.push(Job {
                     id: plan.jobs.len() as u64,
                     variant: self.variant.as_ref().map(|variant| variant.id.clone()),
@@ -102,7 +122,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn address(&self, scene: u64, level: Level) -> Address {
+    pub fn address(&self, scene: u64, level: Level) -> Address {
         Address { seed: self.seed, scene, level }
     }
 
@@ -116,13 +136,10 @@ impl Compiler<'_> {
         let mut drawn = Draws::new();
         let shared = self.sections.lets.draw(&self.address(index, Level::Scene))?;
         drawn.extend(shared.drawn.clone());
-        let turn = |level| Turn { address: self.address(index, level), shared: &shared };
+        let turn = |level| Turn { address: self.address(index, level), shared: &shared, corner: None };
         let World { seabed, environment, multipath } = self.sections.world(&turn(Level::Scene), &mut drawn)?;
         let split = self.split(header, index)?;
-        if let (SplitBy::Asset, Some(Labels::ByNode)) = (header.splits.by, environment.as_ref().map(|e| e.labels)) {
-            let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
-            return Err(self.refuse("environment.labels", &fault));
-        }
+        self.check_labels(header, environment.as_ref())?;
         let mut spec = SceneSpec { seabed, environment, multipath, bodies: Vec::new() };
         let mut items = Vec::new();
         for item in 0..self.sections.object_items()? {
@@ -140,6 +157,15 @@ impl Compiler<'_> {
         Ok(ScenePlan { variant, index, seed, split, spec, drawn })
     }
 
+    /// Refuses labelled parts of environments where models are dealt out.
+    pub fn check_labels(&self, header: &Header, environment: Option<&EnvironmentSpec>) -> Result<(), PlanError> {
+        if header.splits.by != SplitBy::Asset || environment.is_none_or(|spec| spec.labels == Labels::None) {
+            return Ok(());
+        }
+        let fault = "the bodies of an environment stand in every split; write `labels: none`, or split by scene";
+        Err(self.refuse("environment.labels", &fault))
+    }
+
     /// The split of a scene: the same in all variants, but where variants themselves are dealt out.
     fn split(&self, header: &Header, scene: u64) -> Result<Split, PlanError> {
         match (header.splits.by, &self.variant) {
@@ -154,7 +180,7 @@ impl Compiler<'_> {
 
     /// Chooses a model for an instance, all that match being equally likely; of the scene's split alone where models are
     /// dealt out.
-    fn body(
+    pub fn body(
         &self,
         item: usize,
         entry: ObjectEntry,
@@ -163,8 +189,9 @@ impl Compiler<'_> {
     ) -> Result<BodySpec, PlanError> {
         let refuse = |fault: CatalogError| self.refuse(&format!("objects[{item}].pick"), &fault);
         let ObjectEntry { label, pick, pose } = entry;
+        let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let matching = self.assets.pick(&pick).map_err(refuse)?;
-        let dealt = choice.dealt(&matching);
+        let dealt = self.dealt(&catalog, &pick.catalog, &matching, choice);
         if dealt.is_empty() {
             let fault = format!(
                 "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
@@ -173,24 +200,15 @@ impl Compiler<'_> {
             );
             return Err(self.refuse(&format!("objects[{item}].pick"), &fault));
         }
-        let allowed = allowed(&choice.header.licences, &dealt)
-            .map_err(|fault| self.refuse(&format!("objects[{item}].pick"), &fault))?;
+        let policy = &choice.header.licences;
+        let not_allowed = |fault: String| self.refuse(&format!("objects[{item}].pick"), &fault);
+        let allowed = policy.narrowed(dealt).map_err(not_allowed)?;
         let asset = allowed[choice.stream.below(allowed.len() as u64) as usize];
-        let whose = format!("{}/{}", pick.catalog, asset.uid);
-        choice
-            .header
-            .licences
-            .check(&whose, &asset.licence)
-            .map_err(|fault| self.refuse(&format!("objects[{item}].pick"), &fault))?;
+        let key = format!("{}/{}", pick.catalog, asset.uid);
+        policy.check(&key, &asset.licence).map_err(not_allowed)?;
         self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
-        if let Entry::Vacant(place) = locks.entry(whose) {
-            place.insert(AssetLock {
-                sha256: sha256_of(&asset.path).map_err(|error| self.unreadable(item, &asset.path, &error))?,
-                name: asset.name.clone(),
-                licence: Licence::read(&asset.licence).id,
-                attribution: asset.attribution.clone(),
-                source: asset.source.clone(),
-            });
+        if let Entry::Vacant(place) = locks.entry(key) {
+            place.insert(AssetLock::of_model(asset).map_err(|error| self.unreadable(item, &asset.path, &error))?);
         }
         Ok(BodySpec {
             label: label.unwrap_or_else(|| asset.label.clone()),
@@ -200,8 +218,25 @@ impl Compiler<'_> {
         })
     }
 
+    /// Those of the models that scenes of this split may show.
+    fn dealt<'m>(
+        &self,
+        catalog: &Catalog,
+        name: &str,
+        matching: &'m [Asset],
+        choice: &Choice<'_>,
+    ) -> Vec<&'m Asset> {
+        let Header { splits, seed, .. } = choice.header;
+        if splits.by != SplitBy::Asset {
+            return matching.iter().collect();
+        }
+        let mut deals = self.deals.borrow_mut();
+        let deal = deals.entry(name.to_owned()).or_insert_with(|| Deal::of(splits, *seed, catalog));
+        matching.iter().filter(|asset| deal.is_in(&asset.uid, choice.split)).collect()
+    }
+
     /// Refuses what building the scene would refuse, with the place in the recipe. `items` tells each body's list item.
-    fn check(
+    pub fn check(
         &self,
         spec: &SceneSpec,
         items: &[usize],
@@ -233,20 +268,13 @@ impl Compiler<'_> {
     /// Pins a file that is no model of a catalog.
     fn lock(&self, section: &str, file: &str, locks: &mut BTreeMap<String, AssetLock>) -> std::io::Result<()> {
         if let Entry::Vacant(place) = locks.entry(format!("{section}/{file}")) {
-            let unknown = || "not stated".to_owned();
-            place.insert(AssetLock {
-                sha256: sha256_of(&self.recipe_dir.join(file))?,
-                name: file.to_owned(),
-                licence: unknown(),
-                attribution: unknown(),
-                source: file.to_owned(),
-            });
+            place.insert(AssetLock::of_file(self.recipe_dir, file)?);
         }
         Ok(())
     }
 
     /// A fault found by a module that knows no recipe, at its place in the recipe. Messages carry their own remedy.
-    fn refuse(&self, path: &str, fault: &dyn std::fmt::Display) -> PlanError {
+    pub fn refuse(&self, path: &str, fault: &dyn std::fmt::Display) -> PlanError {
         self.sections.tree.reject(path, &fault.to_string(), "").into()
     }
 
@@ -256,43 +284,8 @@ impl Compiler<'_> {
 }
 
 /// Who chooses a model, and for which split.
-struct Choice<'a> {
-    stream: &'a mut Stream,
-    header: &'a Header,
-    split: Split,
-}
-
-impl Choice<'_> {
-    /// Those of the models that scenes of this split may show.
-    ///
-    /// Dealt by uid alone: a catalog may be reached by several names.
-    fn dealt<'m>(&self, matching: &'m [Asset]) -> Vec<&'m Asset> {
-        let Header { splits, seed, .. } = self.header;
-        let of_ours = |asset: &&Asset| splits.of_key(*seed, &asset.uid) == self.split;
-        match splits.by {
-            SplitBy::Scene | SplitBy::Variant => matching.iter().collect(),
-            SplitBy::Asset => matching.iter().filter(of_ours).collect(),
-        }
-    }
-}
-
-/// The models that a pick goes on with: where others are left out, those whose licence is allowed.
-fn allowed<'m>(policy: &LicencePolicy, models: &[&'m Asset]) -> Result<Vec<&'m Asset>, String> {
-    let may = |asset: &&&Asset| match policy.others {
-        Others::Refuse => true,
-        Others::LeaveOut => policy.allows(&Licence::read(&asset.licence)),
-    };
-    let allowed: Vec<&Asset> = models.iter().filter(may).copied().collect();
-    if allowed.is_empty() {
-        return Err(format!(
-            "none of the {} models of this pick is under a licence that `licences` allows; allow more, or pick others",
-            models.len()
-        ));
-    }
-    Ok(allowed)
-}
-
-fn sha256_of(path: &Path) -> std::io::Result<String> {
-    let bytes = std::fs::read(path)?;
-    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+pub(super) struct Choice<'a> {
+    pub stream: &'a mut Stream,
+    pub header: &'a Header,
+    pub split: Split,
 }

@@ -4,7 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::catalog::LicencePolicy;
 use crate::label::{LabelSettings, View};
+use crate::math::Impossible;
 use crate::math::rng::Stream;
+
+/// Most frames of one dataset.
+pub(super) const MAX_JOBS: u64 = 10_000_000;
 
 /// Sections of a recipe that are the same for every frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -13,9 +17,11 @@ pub struct Header {
     pub name: String,
     /// Seed of every draw.
     pub seed: u64,
-    /// Independent draws of the world.
+    /// Independent draws of the world, in each variant.
+    #[serde(rename = "scenes_per_variant")]
     pub scenes: u64,
     /// Frames a scene.
+    #[serde(rename = "frames_per_scene")]
     pub frames: u64,
     /// Which licences models may be under.
     #[serde(skip_serializing_if = "LicencePolicy::is_default")]
@@ -29,6 +35,31 @@ pub struct Header {
 }
 
 impl Header {
+    /// Refuses what no dataset of so many variants can have.
+    ///
+    /// # Errors
+    /// The first impossible value, with its key in the recipe.
+    pub(super) fn check(&self, variants: u64) -> Result<(), Impossible> {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
+        let names_folder = !self.name.is_empty() && self.name.chars().all(plain) && !self.name.starts_with('.');
+        let help = "use letters, digits, `-`, `_` and `.`: it names the folder of the dataset";
+        Impossible::unless(names_folder, "name", format!("`{}` cannot name a dataset", self.name), help)?;
+        for (key, count) in [("scenes", self.scenes), ("frames", self.frames)] {
+            Impossible::unless(count > 0, key, "there must be at least 1", "write a whole number from 1")?;
+        }
+        let jobs = self.scenes.checked_mul(self.frames).and_then(|jobs| jobs.checked_mul(variants));
+        let swept = if variants > 1 { " x variants" } else { "" };
+        let few = jobs.is_some_and(|jobs| jobs <= MAX_JOBS);
+        let message = format!("scenes x frames{swept} is more than {MAX_JOBS}");
+        Impossible::unless(few, "scenes", message, "make several datasets")?;
+        self.splits.check()?;
+        let share = self.labels.min_share;
+        let message = format!("{share} is not a share");
+        let help = "write a number from 0 to 1";
+        Impossible::unless((0.0..=1.0).contains(&share), "labels.min_share", message, help)?;
+        self.output.check()
+    }
+
     /// Number of a frame among those of its variant: with the seed, the address of its random streams. Frames of different
     /// variants share it, so that they differ in what was swept alone.
     #[must_use]
@@ -47,6 +78,18 @@ pub struct Output {
     pub raw: Raw,
     /// Height of the fan picture, pixels; its width follows from the aperture.
     pub fan_height_px: u32,
+}
+
+impl Output {
+    fn check(&self) -> Result<(), Impossible> {
+        let help = "write `views: [polar]`, `[fan]` or `[polar, fan]`";
+        Impossible::unless(!self.views.is_empty(), "output.views", "there is nothing to write", help)?;
+        let twice = self.views.iter().enumerate().any(|(i, view)| self.views[..i].contains(view));
+        Impossible::unless(!twice, "output.views", "a view stands twice", help)?;
+        let message = format!("a fan {} pixels high cannot be drawn", self.fan_height_px);
+        let possible = (16..=8192).contains(&self.fan_height_px);
+        Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")
+    }
 }
 
 /// Formats of the linear, noise-free image.
@@ -71,6 +114,18 @@ pub struct Splits {
     pub test: f64,
     /// What is kept together.
     pub by: SplitBy,
+    /// What the shares hold within.
+    pub stratify: Stratify,
+}
+
+/// What the shares of the splits hold within, where models are dealt out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stratify {
+    /// Nothing: each model is dealt by itself, and other models never move it.
+    None,
+    /// The models of each label of a catalog: a label with at least as many models as there are splits is in all of them.
+    Label,
 }
 
 /// What is kept together when frames are dealt out.
@@ -162,11 +217,16 @@ impl Splits {
         last
     }
 
-    /// Whether the shares can be dealt out: none negative, some positive.
-    #[must_use]
-    pub fn possible(&self) -> bool {
+    fn check(&self) -> Result<(), Impossible> {
         let shares = self.shares().map(|(_, share)| share);
-        shares.iter().all(|share| share.is_finite() && *share >= 0.0) && shares.iter().sum::<f64>() > 0.0
+        let possible = shares.iter().all(|share| share.is_finite() && *share >= 0.0)
+            && (0.0..f64::INFINITY).contains(&shares.iter().sum::<f64>())
+            && shares.iter().any(|share| *share > 0.0);
+        let help = "shares are 0 or more, and one of them is positive";
+        Impossible::unless(possible, "splits", "these shares cannot be dealt out", help)?;
+        let dealt = self.stratify == Stratify::None || self.by == SplitBy::Asset;
+        let problem = "only models are dealt out by label; the shares of scenes hold within each variant as they are";
+        Impossible::unless(dealt, "splits.stratify", problem, "write `by: asset`, or leave out `stratify`")
     }
 }
 
@@ -174,7 +234,7 @@ impl Splits {
 mod tests {
     use super::*;
 
-    const SPLITS: Splits = Splits { train: 0.8, val: 0.1, test: 0.1, by: SplitBy::Scene };
+    const SPLITS: Splits = Splits { train: 0.8, val: 0.1, test: 0.1, by: SplitBy::Scene, stratify: Stratify::None };
 
     #[test]
     fn shares_come_out_as_asked_even_for_few_scenes() {
@@ -194,7 +254,7 @@ mod tests {
 
     #[test]
     fn an_empty_share_gets_nothing() {
-        let all = Splits { train: 1.0, val: 0.0, test: 0.0, by: SplitBy::Scene };
+        let all = Splits { train: 1.0, val: 0.0, test: 0.0, by: SplitBy::Scene, stratify: Stratify::None };
         assert!((0..1000).all(|scene| all.of_scene(3, scene) == Split::Train));
     }
 }

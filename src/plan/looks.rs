@@ -11,14 +11,14 @@ use crate::physics::TurbidWater;
 use crate::recipe::{self, Draws, Level, Node, Recipe, Tree};
 
 /// Sections that a look may change: what comes after the echoes.
-const SECTIONS: [&str; 2] = ["water", "image"];
+pub(super) const SECTIONS: [&str; 2] = ["water", "image"];
 /// Most looks of a dataset.
-const MOST: usize = 64;
+pub(super) const MOST: usize = 64;
 
 /// The recipe as one look sees it.
 pub(super) struct LookTree {
-    name: Option<String>,
-    tree: Tree,
+    pub(super) name: Option<String>,
+    pub(super) tree: Tree,
 }
 
 /// The looks of a recipe; one without a name where it has none.
@@ -56,15 +56,20 @@ pub(super) fn read(recipe: &Recipe, check: &Checker<'_>) -> Result<Vec<LookTree>
     Ok(looks)
 }
 
-/// The name of a look: it stands in file names.
+/// Whether a look may be called so: its name stands in file names.
+pub(super) fn is_name(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    (1..=40).contains(&name.len()) && name.chars().all(plain)
+}
+
+/// The name of a look.
 fn name(item: &Node, path: &str) -> Result<String, recipe::Error> {
     let help = "write a word of letters, digits and `-`, such as `name: murky`";
     let name: String = match item.get("name") {
         Some(node) => node.to(&format!("{path}.name"))?,
         None => return Err(item.error("", "a look needs a `name`", help)),
     };
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
-    if name.is_empty() || name.len() > 40 || !name.chars().all(plain) {
+    if !is_name(&name) {
         return Err(item.error("name", &format!("`{name}` cannot stand in a file name"), help));
     }
     Ok(name)

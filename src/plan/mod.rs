@@ -3,20 +3,30 @@
 //! Knows what is to be done, to the last number; does none of it.
 
 mod compile;
+mod corners;
+mod deal;
 mod error;
 mod header;
+mod lock;
 mod looks;
+mod origin;
+mod read;
 mod schema;
 mod sections;
+mod verify;
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 pub use compile::{compile, notes};
-pub use error::PlanError;
-pub use header::{Header, Output, Raw, Split, SplitBy, Splits};
+pub use corners::{Tried, corners};
+pub use error::{PlanError, PlanFault};
+pub use header::{Header, Output, Raw, Split, SplitBy, Splits, Stratify};
+pub use lock::{AssetLock, Shown};
+pub use origin::{Origin, Origins};
+pub use read::read;
 pub use schema::schema;
 
 use crate::image::ImageModel;
@@ -49,7 +59,8 @@ pub struct Plan {
 }
 
 /// One variant of a swept recipe.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct VariantPlan {
     /// Its name in file names and tables: `v000`, `v001` ….
     pub id: String,
@@ -63,23 +74,9 @@ pub struct VariantPlan {
     pub seed: u64,
 }
 
-/// A model file pinned by its content.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct AssetLock {
-    /// SHA-256 of the model's file.
-    pub sha256: String,
-    /// Name for people.
-    pub name: String,
-    /// Licence as the catalog states it.
-    pub licence: String,
-    /// Whom to name.
-    pub attribution: String,
-    /// Where it came from.
-    pub source: String,
-}
-
 /// One drawn world.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ScenePlan {
     /// Its variant, where there is a sweep.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -97,7 +94,8 @@ pub struct ScenePlan {
 }
 
 /// A way to make a picture of a ping's echoes: other water, other gain, another model.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Look {
     /// Its name in file names and tables; none where a recipe has no `looks`.
     pub name: Option<String>,
@@ -108,7 +106,8 @@ pub struct Look {
 }
 
 /// One frame to render.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Job {
     /// Number of the job, and of its files.
     pub id: u64,

@@ -9,7 +9,7 @@ use super::header::{Header, Output, Splits};
 use super::looks::{self, LookTree};
 use crate::catalog::{LicencePolicy, Pick, sonars};
 use crate::label::LabelSettings;
-use crate::recipe::{self, Address, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
+use crate::recipe::{self, Address, Corner, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
 use crate::vehicle::Trajectory;
@@ -44,9 +44,6 @@ pub(super) const SWEPT: [&str; 9] =
 
 /// Keys and sections that are the same for all frames.
 const CONSTANT: [&str; 8] = ["name", "seed", "scenes", "frames", "licences", "labels", "splits", "output"];
-
-/// Most frames of one dataset.
-const MAX_JOBS: u64 = 10_000_000;
 
 /// An item of `objects`, one instance of it drawn.
 #[derive(Clone, Debug, Deserialize)]
@@ -95,17 +92,18 @@ impl Checker<'_> {
     }
 }
 
-/// What is drawn now: an address, and the shared draws there.
+/// What is drawn now: an address, the shared draws there, and a leaf that is at a corner instead.
 #[derive(Clone, Copy)]
 pub(super) struct Turn<'a> {
     pub address: Address,
     pub shared: &'a Shared,
+    pub corner: Option<&'a Corner>,
 }
 
 impl Turn<'_> {
     /// A part of the recipe drawn: shared draws written in, then every leaf; and what was drawn.
     pub fn draw(&self, node: &Node, path: &str) -> Result<(Node, Draws), recipe::Error> {
-        self.shared.complete_into(node, path)?.draw_recorded(path, &self.address)
+        self.shared.complete_into(node, path)?.draw_at(path, &self.address, self.corner)
     }
 }
 
@@ -176,38 +174,7 @@ impl Sections {
             splits: self.required::<Splits>("splits")?,
             output: self.required::<Output>("output")?,
         };
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-        if header.name.is_empty() || !header.name.chars().all(plain) || header.name.starts_with('.') {
-            let help = "use letters, digits, `-`, `_` and `.`: it names the folder of the dataset";
-            return Err(self.tree.reject("name", &format!("`{}` cannot name a dataset", header.name), help));
-        }
-        for (key, count) in [("scenes", header.scenes), ("frames", header.frames)] {
-            if count == 0 {
-                return Err(self.tree.reject(key, "there must be at least 1", "write a whole number from 1"));
-            }
-        }
-        let jobs = header.scenes.checked_mul(header.frames).and_then(|jobs| jobs.checked_mul(variants));
-        if jobs.is_none_or(|jobs| jobs > MAX_JOBS) {
-            let swept = if variants > 1 { " x variants" } else { "" };
-            let message = format!("scenes x frames{swept} is more than {MAX_JOBS}");
-            return Err(self.tree.reject("scenes", &message, "make several datasets"));
-        }
-        if !header.splits.possible() {
-            let help = "shares are 0 or more, and one of them is positive";
-            return Err(self.tree.reject("splits", "these shares cannot be dealt out", help));
-        }
-        if !(0.0..=1.0).contains(&header.labels.min_share) {
-            let message = format!("{} is not a share", header.labels.min_share);
-            return Err(self.tree.reject("labels.min_share", &message, "write a number from 0 to 1"));
-        }
-        if header.output.views.is_empty() {
-            let help = "write `views: [polar]`, `[fan]` or `[polar, fan]`";
-            return Err(self.tree.reject("output.views", "there is nothing to write", help));
-        }
-        if !(16..=8192).contains(&header.output.fan_height_px) {
-            let message = format!("a fan {} pixels high cannot be drawn", header.output.fan_height_px);
-            return Err(self.tree.reject("output.fan_height_px", &message, "write a whole number from 16 to 8192"));
-        }
+        header.check(variants).map_err(|fault| self.tree.reject(fault.key, &fault.problem, &fault.remedy))?;
         Ok(header)
     }
 
@@ -245,7 +212,7 @@ impl Sections {
     fn sonar(&self, turn: &Turn<'_>, drawn: &mut Draws) -> Result<Sonar, recipe::Error> {
         // Without defaults: those of the device come first.
         let user = turn.shared.write_into(&self.sonar, "sonar")?;
-        let (user, draws) = user.draw_recorded("sonar", &turn.address)?;
+        let (user, draws) = user.draw_at("sonar", &turn.address, turn.corner)?;
         drawn.extend(draws);
         let under = match user.get("device") {
             Some(device) => self.device(device)?.merged_over(&self.sonar_defaults),
@@ -294,13 +261,45 @@ impl Sections {
             return Err(self.tree.reject("objects", &format!("there is no item {item}"), ""));
         };
         let node = turn.shared.complete_into(node, &path)?;
-        let (node, draws) = without(&node, "count").draw_recorded(&path, &turn.address)?;
+        let (node, draws) = without(&node, "count").draw_at(&path, &turn.address, turn.corner)?;
         let Level::Instance(instance) = turn.address.level else { unreachable!("objects are drawn by instance") };
         let named = |(leaf, value): (String, _)| {
             (format!("{path}#{instance}{}", leaf.strip_prefix(&path).unwrap_or_default()), value)
         };
         drawn.extend(draws.into_iter().map(named));
         node.to(&path)
+    }
+
+    /// Every part that is drawn for frames, scenes and instances, with its path: where distributions may stand. A part is
+    /// as it is drawn from, shared draws written in.
+    pub fn parts(&self, scene: &Shared, frame: &Shared) -> Result<Vec<(String, Node)>, recipe::Error> {
+        let mut parts = vec![("sonar".to_owned(), frame.write_into(&self.sonar, "sonar")?)];
+        let mut add = |tree: &Tree, path: &str, shared: &Shared| -> Result<(), recipe::Error> {
+            if let Some(node) = tree.at(path) {
+                let part = (path.to_owned(), shared.complete_into(node, path)?);
+                // Looks share what they do not change.
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+            Ok(())
+        };
+        add(&self.tree, "trajectory", frame)?;
+        for path in ["seabed", "environment", "multipath"] {
+            add(&self.tree, path, scene)?;
+        }
+        for item in 0..self.object_items()? {
+            add(&self.tree, &format!("objects[{item}]"), scene)?;
+        }
+        for (look, path) in self.looks.iter().flat_map(|look| looks::SECTIONS.map(|path| (look, path))) {
+            add(&look.tree, path, frame)?;
+        }
+        Ok(parts)
+    }
+
+    /// The recipe as a look sees it.
+    pub fn look(&self, name: &str) -> Option<&Tree> {
+        self.looks.iter().find(|look| look.name.as_deref() == Some(name)).map(|look| &look.tree)
     }
 
     /// How many items `objects` has.

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use super::error::{Error, quoted};
 use super::nearest::did_you_mean;
 use super::node::{Key, Kind, Node, Style, unknown_key};
-use super::path;
+use super::path::{self, steps};
 use super::scalar::resolve;
 
 /// The keys that make a map a distribution.
@@ -73,6 +73,19 @@ impl Node {
     #[must_use]
     pub fn is_distribution(&self) -> bool {
         word(self).is_some()
+    }
+
+    /// The distribution at a path below this value, or the one that the path leads into.
+    #[must_use]
+    pub fn distribution_on(&self, path: &str) -> Option<&Self> {
+        let mut node = self;
+        for step in steps(path).ok()? {
+            if node.is_distribution() {
+                break;
+            }
+            node = node.step(&step)?;
+        }
+        node.is_distribution().then_some(node)
     }
 }
 

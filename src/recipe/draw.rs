@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use crate::math::real;
 use crate::math::rng::Stream;
 
+use super::corner::{Corner, Given};
 use super::distribution::{Choice, Distribution, Law, Number, Per};
 use super::error::Error;
 use super::node::{Kind, Node};
@@ -61,7 +62,15 @@ impl Node {
     /// # Errors
     /// As [`Node::draw`].
     pub fn draw_recorded(&self, path: &str, address: &Address) -> Result<(Self, Draws), Error> {
-        let mut pen = Pen { address: *address, draws: Draws::new() };
+        self.draw_at(path, address, None)
+    }
+
+    /// As [`Node::draw_recorded`], with one leaf at a corner, if one is given and in this tree.
+    ///
+    /// # Errors
+    /// As [`Node::draw`].
+    pub fn draw_at(&self, path: &str, address: &Address, corner: Option<&Corner>) -> Result<(Self, Draws), Error> {
+        let mut pen = Pen { address: *address, corner, draws: Draws::new() };
         let node = pen.node(self, path, 0)?;
         Ok((node, pen.draws))
     }
@@ -113,19 +122,26 @@ fn scope(distribution: &Distribution<'_>, path: &str, level: Level) -> Result<Sc
 
 const FRAME_HELP: &str = "leave out `per`; `per: frame` is possible in sonar, water, image and trajectory";
 
-struct Pen {
+struct Pen<'c> {
     address: Address,
+    corner: Option<&'c Corner>,
     draws: Draws,
 }
 
-impl Pen {
+impl Pen<'_> {
     /// `nesting` counts the choices that led to this node without a step down the path.
     fn node(&mut self, node: &Node, path: &str, nesting: usize) -> Result<Node, Error> {
         if let Some(distribution) = Distribution::read(node, path)? {
             let mut stream = self.stream(scope(&distribution, path, self.address.level)?, path, nesting);
-            let drawn = match &distribution.law {
-                Law::Choice(choices) => self.node(&choose(&mut stream, choices).value, path, nesting + 1)?,
-                Law::Number(law) => Node { kind: number(&mut stream, *law), span: node.span.clone() },
+            let given = self.corner.and_then(|corner| corner.given(node, path));
+            let drawn = match (&distribution.law, given) {
+                (Law::Choice(choices), given) => {
+                    let there = if let Some(Given::Choice(index)) = given { choices.get(*index) } else { None };
+                    let chosen = there.unwrap_or_else(|| choose(&mut stream, choices));
+                    self.node(&chosen.value, path, nesting + 1)?
+                }
+                (Law::Number(_), Some(Given::Number(kind))) => Node { kind: kind.clone(), span: node.span.clone() },
+                (Law::Number(law), _) => Node { kind: number(&mut stream, *law), span: node.span.clone() },
             };
             self.draws.insert(path.to_owned(), drawn.json());
             return Ok(drawn);

@@ -97,7 +97,7 @@ pub(crate) fn quoted(text: &str) -> String {
 }
 
 /// Control characters of a quoted text must not reach a terminal.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     let escape = |c: char| if c.is_control() { c.escape_default().collect() } else { String::from(c) };
     text.chars().map(escape).collect()
 }

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::corner::Corner;
 use super::distribution;
 use super::draw::{Address, Draws, Level};
 use super::error::{Error, quoted};
@@ -62,7 +63,7 @@ struct Value {
 
 impl Value {
     fn of(node: Node) -> Self {
-        Self { size: size(&node), node }
+        Self { size: node.size(), node }
     }
 }
 
@@ -141,6 +142,28 @@ impl Lets {
     /// # Errors
     /// A distribution that is malformed, also where a value that it refers to makes it so.
     pub fn draw(&self, address: &Address) -> Result<Shared, Error> {
+        self.draw_at(address, None)
+    }
+
+    /// As [`Lets::draw`], with one leaf at a corner, if one is given and among them.
+    ///
+    /// # Errors
+    /// As [`Lets::draw`].
+    pub fn draw_at(&self, address: &Address, corner: Option<&Corner>) -> Result<Shared, Error> {
+        self.drawn(address, corner, &mut Vec::new())
+    }
+
+    /// The corners of every name at an address, the others as they are drawn there.
+    ///
+    /// # Errors
+    /// As [`Lets::draw`].
+    pub fn corners(&self, address: &Address) -> Result<Vec<Corner>, Error> {
+        let mut corners = Vec::new();
+        self.drawn(address, None, &mut corners)?;
+        Ok(corners)
+    }
+
+    fn drawn(&self, address: &Address, corner: Option<&Corner>, corners: &mut Vec<Corner>) -> Result<Shared, Error> {
         let (mut shared, mut left) = (Shared::default(), MAX_NODES);
         let level = match address.level {
             Level::Frame(frame) => Level::Frame(frame),
@@ -154,7 +177,8 @@ impl Lets {
             let path = path::under(LET, name);
             let written = shared.written(node, &path, Missing::IsAFault, &mut left)?;
             written.check_distributions(&path, level)?;
-            let (drawn, draws) = written.draw_recorded(&path, &Address { level, ..*address })?;
+            corners.extend(written.corners(&path)?);
+            let (drawn, draws) = written.draw_at(&path, &Address { level, ..*address }, corner)?;
             if level == Level::Scene || *rhythm == Rhythm::Frame {
                 shared.drawn.extend(draws);
             }
@@ -280,11 +304,6 @@ fn is_constant(node: &Node) -> bool {
 fn is_of_frames(node: &Node) -> bool {
     let here = distribution::word(node).is_some() && node.get("per").and_then(Node::text) == Some("frame");
     here || node.entries().iter().any(|(_, value)| is_of_frames(value)) || node.items().iter().any(is_of_frames)
-}
-
-pub(super) fn size(node: &Node) -> usize {
-    let children = node.entries().iter().map(|(_, value)| value).chain(node.items());
-    1 + children.map(size).sum::<usize>()
 }
 
 fn depth(node: &Node) -> usize {

@@ -7,6 +7,7 @@
 //! Every value knows file, line and column, so every error does. Knows nothing of what the values mean: other modules define
 //! plain serde structs, check ranges, and report through [`Tree::reject`].
 
+mod corner;
 mod de;
 mod de_enum;
 mod de_items;
@@ -27,9 +28,11 @@ mod set;
 mod source;
 mod sweep;
 
+pub use corner::Corner;
 pub use defaults::DEFAULTS;
 pub use draw::{Address, Draws, Level};
 pub use error::Error;
+pub(crate) use error::printable;
 pub use include::{Included, Outside};
 pub use lets::{Lets, Shared};
 pub use nearest::{did_you_mean, nearest};
@@ -182,7 +185,8 @@ impl Tree {
             }
             _ => {
                 let message = format!("the format version cannot be {}", node.describe());
-                Err(Error::new(&node.span, "ensonify", message, format!("write `ensonify: {VERSION}`")))
+                let plan = if node.text().is_some() { "; a plan is given with `--plan FILE`" } else { "" };
+                Err(Error::new(&node.span, "ensonify", message, format!("write `ensonify: {VERSION}`{plan}")))
             }
         }
     }

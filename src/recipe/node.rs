@@ -96,6 +96,12 @@ impl Node {
         }
     }
 
+    /// How many values there are in it, itself included.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        1 + self.entries().iter().map(|(_, value)| value).chain(self.items()).map(Self::size).sum::<usize>()
+    }
+
     /// The value without its places, keys in alphabetical order.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
@@ -157,7 +163,7 @@ impl Node {
         }
     }
 
-    fn step(&self, step: &Step) -> Option<&Self> {
+    pub(super) fn step(&self, step: &Step) -> Option<&Self> {
         match step {
             Step::Key(key) => self.get(key),
             Step::Index(index) => self.items().get(*index),

@@ -6,11 +6,11 @@
 
 use std::collections::BTreeMap;
 
+use super::Recipe;
 use super::error::{Error, quoted};
 use super::nearest::did_you_mean;
 use super::node::{Key, Kind, Node};
 use super::path::{Step, steps};
-use super::{Recipe, lets};
 
 /// Most variants of one recipe.
 pub const MAX_VARIANTS: usize = 1000;
@@ -63,7 +63,7 @@ impl Recipe {
             return Err(Error::new(&sweep.span, SWEEP, message, "sweep fewer values, or make several datasets"));
         }
         let plain = self.without(SWEEP);
-        if size.is_some_and(|size| size * lets::size(plain.node()) > MAX_VALUES) {
+        if size.is_some_and(|size| size * plain.node().size() > MAX_VALUES) {
             let message = "the variants of this recipe are too large together";
             return Err(Error::new(&sweep.span, SWEEP, message, "sweep fewer values, or make several datasets"));
         }

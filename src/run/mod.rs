@@ -5,13 +5,18 @@
 mod files;
 mod project;
 pub mod render;
+mod survey;
+mod trial;
+pub mod warnings;
 mod world;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-pub use project::{Given, Project};
+pub use project::{Given, GivenPlan, Project};
+pub use survey::{InView, Place, Sight, Survey, survey};
+pub use trial::{Trial, trial};
 pub use world::{World, Worlds};
 
 use crate::export::{FinishError, finish};
@@ -119,6 +124,13 @@ pub fn run(
     }
 }
 
+/// `wanted` of `total` numbers from 0, evenly spread, each once.
+#[must_use]
+pub fn spread(total: u64, wanted: u64) -> Vec<u64> {
+    let count = wanted.min(total);
+    (0..count).map(|i| (2 * i + 1) * total / (2 * count)).collect()
+}
+
 /// What the threads of a run share.
 struct Shift<'a> {
     project: &'a Project,
@@ -184,4 +196,15 @@ impl Shift<'_> {
 enum FrameFault {
     Frame(String),
     Store(StoreError),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn frames_are_taken_evenly_and_once() {
+        assert_eq!(spread(200, 4), [25, 75, 125, 175]);
+        assert_eq!(spread(3, 10), [0, 1, 2]);
+    }
 }

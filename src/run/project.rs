@@ -1,8 +1,10 @@
-//! A recipe made ready to run: read, compiled, its models loaded.
+//! A recipe or a plan made ready to run: read, compiled or verified, its models loaded.
 
+use std::fs::File;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
-use crate::plan::{Plan, PlanError, compile, notes};
+use crate::plan::{self, Plan, PlanError, PlanFault, Tried, compile, corners, notes};
 use crate::recipe::{self, Included, Outside, Recipe};
 use crate::scene::AssetCache;
 use crate::store::IncludeLock;
@@ -18,10 +20,24 @@ pub struct Given<'a> {
     pub outside: Outside,
 }
 
-/// Everything a verb needs of a recipe.
+/// Longest plan that is read: that of a million frames.
+const MAX_PLAN_BYTES: u64 = 1 << 32;
+
+/// A plan as it is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct GivenPlan<'a> {
+    /// The file; `-` is standard input.
+    pub path: &'a Path,
+    /// Where its relative paths begin; its own folder without.
+    pub base: Option<&'a Path>,
+}
+
+/// Everything a verb needs of a recipe or a plan.
 pub struct Project {
-    /// The recipe as given.
-    pub recipe_text: String,
+    /// The recipe, where the project was not given as a plan.
+    pub recipe: Option<Recipe>,
+    /// Its text as given.
+    pub recipe_text: Option<String>,
     /// Files that it includes.
     pub includes: Vec<IncludeLock>,
     /// Every job.
@@ -34,6 +50,8 @@ pub struct Project {
     pub notes: Vec<recipe::Error>,
     /// The models.
     pub assets: AssetCache,
+    /// Where relative paths begin.
+    pub folder: PathBuf,
 }
 
 impl Project {
@@ -53,12 +71,67 @@ impl Project {
         let assets = AssetCache::new(&recipe_dir);
         let mut plan = compile(&recipe, &stem, &recipe_dir, &assets)?;
         plan.sets = sets.to_vec();
+        let recipe_text = Some(std::fs::read_to_string(path).unwrap_or_default());
+        let includes = includes.iter().map(include_lock).collect();
+        let notes = notes(&recipe);
+        Ok(Self { includes, recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets, recipe_dir) })
+    }
+
+    /// Tries what could be drawn beside what is drawn; of a project that was given as a plan there is nothing to try.
+    ///
+    /// # Errors
+    /// The first thing that would be refused, located in the recipe.
+    pub fn try_corners(&self) -> Result<Tried, PlanError> {
+        let recipe = self.recipe.as_ref();
+        recipe.map_or(Ok(Tried::default()), |recipe| corners(recipe, &self.plan, &self.folder, &self.assets))
+    }
+
+    /// Reads and verifies a plan.
+    ///
+    /// # Errors
+    /// The first fault, with its place in the plan; nothing has been written.
+    pub fn load_plan(given: &GivenPlan<'_>) -> Result<Self, PlanError> {
+        let GivenPlan { path, base } = *given;
+        let from_input = path == Path::new("-");
+        let name = if from_input { "standard input".to_owned() } else { path.display().to_string() };
+        let json = match if from_input { bounded(io::stdin()) } else { File::open(path).and_then(bounded) } {
+            Ok(json) => json,
+            Err(error) => {
+                let help = "give the plan.json of a dataset, or what `ensonify plan RECIPE --json` writes".to_owned();
+                let problem = format!("cannot be read: {error}");
+                return Err(PlanFault { file: name, place: String::new(), problem, help }.into());
+            }
+        };
+        let folder = match base {
+            Some(base) => base.to_owned(),
+            None if from_input => PathBuf::from("."),
+            None => folder_of(path),
+        };
+        let assets = AssetCache::new(&folder);
+        let plan = plan::read(&name, &json, &folder, &assets)?;
+        Ok(Self::of(plan, assets, folder))
+    }
+
+    fn of(plan: Plan, assets: AssetCache, folder: PathBuf) -> Self {
         let plan_json = plan.json();
         let plan_hash = Plan::hash(&plan_json);
-        let recipe_text = std::fs::read_to_string(path).unwrap_or_default();
-        let includes = includes.iter().map(include_lock).collect();
-        Ok(Self { recipe_text, includes, plan, plan_json, plan_hash, notes: notes(&recipe), assets })
+        let (includes, notes) = (Vec::new(), Vec::new());
+        Self { recipe: None, recipe_text: None, includes, plan, plan_json, plan_hash, notes, assets, folder }
     }
+}
+
+/// All that there is to read, unless it is without end.
+fn bounded(mut source: impl io::Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    source.by_ref().take(1 << 10).read_to_end(&mut bytes)?;
+    if !bytes.trim_ascii_start().starts_with(b"{") {
+        return Err(io::Error::other("it does not begin as JSON does, with `{`"));
+    }
+    source.take(MAX_PLAN_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_PLAN_BYTES {
+        return Err(io::Error::other(format!("it is longer than {MAX_PLAN_BYTES} bytes")));
+    }
+    Ok(bytes)
 }
 
 /// A file under the recipe, pinned by its content.

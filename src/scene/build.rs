@@ -23,6 +23,9 @@ use crate::physics::reflection::normal_incidence;
 /// Specific impedance of sea water, kg/(m²·s).
 const SEA_WATER_IMPEDANCE: f64 = 1.539e6;
 
+/// Most bodies of a scene: masks number them with 16 bits.
+const MAX_BODIES: usize = u16::MAX as usize;
+
 /// A world to build.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -122,6 +125,9 @@ impl SceneSpec {
                 }
                 Source::Kind(_) => {}
             }
+        }
+        if self.bodies.len() > MAX_BODIES {
+            return Err(SceneError::TooManyBodies { count: self.bodies.len() });
         }
         for (body, spec) in self.bodies.iter().enumerate() {
             if let Some(problem) = spec.pose.fault() {

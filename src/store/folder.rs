@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
+use super::atomic::sha256;
 use super::journal::{self, Journal};
 use super::manifest::{IncludeLock, Manifest};
 use super::{FileRecord, FrameRecord, StoreError, atomic, claim, layout};
@@ -19,8 +20,8 @@ pub struct Identity<'a> {
     pub plan_hash: &'a str,
     /// Frames in the plan: ids 0 .. frames.
     pub frames: u64,
-    /// The recipe as given.
-    pub recipe_text: &'a str,
+    /// The recipe as given; none where a plan was given instead.
+    pub recipe_text: Option<&'a str>,
     /// Changes that were made to it, `path=value`.
     pub sets: &'a [String],
     /// Files that it includes.
@@ -65,7 +66,7 @@ impl Store {
     /// if another process writes to it. The folder is then as it was before, but for an empty `shards/`.
     pub fn open(root: &Path, identity: &Identity<'_>) -> Result<Self, StoreError> {
         claim::refuse_foreign(root)?;
-        let ours = Manifest::begun(identity);
+        let mut ours = Manifest::begun(identity);
         if let Some(there) = Manifest::read(root)? {
             there.check_is(&ours, root)?;
         }
@@ -76,11 +77,20 @@ impl Store {
         if let Some(there) = &there {
             there.check_is(&ours, root)?;
         }
+        let mut recipe = identity.recipe_text.map(|text| text.as_bytes().to_vec());
+        if let (None, Some(there)) = (&recipe, &there) {
+            // Begun from a recipe that gave this very plan: it stays what the dataset is made from.
+            recipe = fs::read(root.join(layout::RECIPE)).ok().filter(|text| there.recipe_sha256 == Some(sha256(text)));
+            if recipe.is_some() {
+                (ours.recipe_sha256, ours.includes) = (there.recipe_sha256.clone(), there.includes.clone());
+            }
+        }
         if there.is_none_or(|there| Manifest { dataset_hash: None, counts: None, ..there } != ours) {
             atomic::write(root, layout::MANIFEST, ours.text().as_bytes())?;
         }
-        let given = [(layout::RECIPE, identity.recipe_text.as_bytes()), (layout::PLAN, identity.plan_json)];
-        let given = given.iter().map(|(path, bytes)| keep(root, path, bytes)).collect::<Result<_, _>>()?;
+        let recipe = recipe.as_deref().map(|text| (layout::RECIPE, text));
+        let given = recipe.into_iter().chain([(layout::PLAN, identity.plan_json)]);
+        let given = given.map(|(path, bytes)| keep(root, path, bytes)).collect::<Result<_, _>>()?;
         let contents = journal::read(root)?;
         let journal = Journal::open(root, &contents)?;
         let finished = whole_frames(root, contents.records, identity.frames);
@@ -228,7 +238,7 @@ mod tests {
         assert_eq!((status.frames_total, status.finished), (FRAMES, false));
         let labels = BTreeMap::from([("tire".to_owned(), 3), ("anchor".to_owned(), 1)]);
         assert_eq!(status.annotations[&crate::label::View::Fan], labels);
-        assert_eq!(fs::read_to_string(root.join(layout::RECIPE)).unwrap(), IDENTITY.recipe_text);
+        assert_eq!(fs::read_to_string(root.join(layout::RECIPE)).ok().as_deref(), IDENTITY.recipe_text);
         assert_eq!(fs::read(root.join(layout::PLAN)).unwrap(), IDENTITY.plan_json);
     }
 
@@ -315,9 +325,22 @@ mod tests {
     fn a_recipe_with_other_comments_takes_the_place_of_the_old() {
         let folder = tempfile::tempdir().unwrap();
         commit(&Store::open(folder.path(), &IDENTITY).unwrap(), 0);
-        let identity = Identity { recipe_text: "# better\nname: sample\n", ..IDENTITY };
+        let identity = Identity { recipe_text: Some("# better\nname: sample\n"), ..IDENTITY };
         assert_eq!(Store::open(folder.path(), &identity).unwrap().missing(), [1, 2, 3, 4, 5]);
-        assert_eq!(fs::read_to_string(folder.path().join(layout::RECIPE)).unwrap(), identity.recipe_text);
+        assert_eq!(fs::read_to_string(folder.path().join(layout::RECIPE)).ok().as_deref(), identity.recipe_text);
+    }
+
+    #[test]
+    fn a_plan_alone_leaves_the_recipe_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let alone = Identity { recipe_text: None, ..IDENTITY };
+        commit(&Store::open(folder.path(), &alone).unwrap(), 0);
+        assert!(!folder.path().join(layout::RECIPE).exists());
+        for identity in [&IDENTITY, &alone] {
+            let store = Store::open(folder.path(), identity).unwrap();
+            assert_eq!(store.given.len(), 2, "recipe and plan");
+            assert_eq!(store.manifest.recipe_sha256, Manifest::begun(&IDENTITY).recipe_sha256);
+        }
     }
 
     #[test]

@@ -21,8 +21,9 @@ pub(crate) struct Manifest {
     /// Version of the program.
     pub ensonify: String,
     pub name: String,
-    /// Hash of `recipe.yaml`.
-    pub recipe_sha256: String,
+    /// Hash of `recipe.yaml`; none where the dataset was made from a plan alone.
+    #[serde(default)]
+    pub recipe_sha256: Option<String>,
     /// Changes that were made to the recipe, `path=value`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sets: Vec<String>,
@@ -63,7 +64,7 @@ impl Manifest {
             format_version: FORMAT_VERSION,
             ensonify: VERSION.to_owned(),
             name: identity.name.to_owned(),
-            recipe_sha256: sha256(identity.recipe_text.as_bytes()),
+            recipe_sha256: identity.recipe_text.map(|text| sha256(text.as_bytes())),
             sets: identity.sets.to_vec(),
             includes: identity.includes.to_vec(),
             plan_hash: identity.plan_hash.to_owned(),

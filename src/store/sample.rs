@@ -16,7 +16,7 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     name: "sample",
     plan_hash: "0123abcd",
     frames: FRAMES,
-    recipe_text: "name: sample\n",
+    recipe_text: Some("name: sample\n"),
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",

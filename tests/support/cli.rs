@@ -1,5 +1,6 @@
 //! Running the program as a user does.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -47,6 +48,24 @@ impl Desk {
         names.sort();
         names
     }
+}
+
+/// Every file of a dataset but the journal, whose lines stand in the order of completion.
+pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).expect("readable") {
+            let path = entry.expect("an entry").path();
+            let name = path.strip_prefix(folder).expect("below").to_string_lossy().into_owned();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !name.starts_with("shards/") {
+                found.insert(name, fs::read(path).expect("readable"));
+            }
+        }
+    }
+    found
 }
 
 /// What a process printed to standard error.
