@@ -114,6 +114,52 @@ fn a_missing_or_broken_model_file() {
     }
 }
 
+/// A `.gltf` of one triangle; `buffer` is the URI of its data, `nodes` and `count` are as given.
+fn triangle(buffer: &str, nodes: &str, count: u64) -> String {
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": {nodes},
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": {count}, "type": "VEC3"}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 36}}], "buffers": [{{"byteLength": 36, "uri": "{buffer}"}}]}}"#
+    )
+}
+
+#[test]
+fn a_model_that_lies_or_leaves_its_catalog() {
+    let row = "uid,name,label,tags,path,size_m,up,material,licence,attribution,source\n\
+        thing,a thing,thing,thing,thing.gltf,1,y,steel,CC0-1.0,nobody,nowhere\n";
+    let (plain, cycle) = (r#"[{"mesh": 0}]"#, r#"[{"mesh": 0, "children": [1]}, {"children": [0]}]"#);
+    for (model, words) in [
+        (triangle("../../etc/passwd", plain, 3), ["buffers[0]", "leads out of the catalog's folder"]),
+        (triangle("file:///etc/passwd", plain, 3), ["file:///etc/passwd", "an address outside"]),
+        (triangle("http://127.0.0.1:9/x.bin", plain, 3), ["http://127.0.0.1:9/x.bin", "nothing is fetched"]),
+        (triangle("link.bin", plain, 3), ["link.bin", "a link that leads out"]),
+        (triangle("none.bin", plain, 3), ["none.bin", "put that file beside the model"]),
+        (triangle("data:;base64,AAAA", plain, 3), ["buffers[0]", "3 bytes are there, 36 are announced"]),
+        (triangle("data:,x", plain, 4_294_967_295), ["accessors[0]", "4294967295"]),
+        (triangle("data:,x", cycle, 3), ["nodes[0]", "its own ancestor"]),
+    ] {
+        let desk = Desk::new();
+        desk.file("models/catalog.csv", row);
+        desk.file("models/thing.gltf", &model);
+        desk.file("secret.bin", "beside the catalog, longer than thirty-six bytes");
+        #[cfg(unix)]
+        std::os::unix::fs::symlink("../secret.bin", desk.path().join("models/link.bin")).expect("linked");
+        #[cfg(not(unix))]
+        if words[0] == "link.bin" {
+            continue;
+        }
+        desk.file("a.yaml", &small_recipe(1).replace("catalog: starter, tags: [debris]", "catalog: models"));
+        let output = desk.run(&["run", "a.yaml"]);
+        let message = messages(&output);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for word in ["a.yaml:10:", "thing.gltf"].into_iter().chain(words) {
+            assert!(message.contains(word), "`{word}` is not in: {message}");
+        }
+        assert_eq!(desk.names(), ["a.yaml", "models", "secret.bin"], "nothing is written");
+    }
+}
+
 #[test]
 fn a_recipe_that_is_not_there_and_a_folder_that_cannot_be_written() {
     let desk = Desk::new();

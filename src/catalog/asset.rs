@@ -7,7 +7,7 @@ use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 use super::error::CatalogError;
-use super::glb::load_model;
+use super::glb::load_model_in;
 use super::model::Model;
 use super::paths;
 use super::priors::{self, SizeFrom, Sized};
@@ -107,11 +107,11 @@ impl Asset {
     /// The model, up turned to z, scaled so that its longest side is the real one, the middle of its base at the origin.
     ///
     /// # Errors
-    /// As [`load_model`], or if the file leaves the catalog.
+    /// As [`load_model_in`], or if the file leaves the catalog.
     pub fn scaled_model(&self) -> Result<Model, CatalogError> {
         // The file keeps its name in messages, whatever a link calls it.
         self.file()?;
-        let mut model = load_model(&self.path)?;
+        let mut model = load_model_in(&self.root, &self.path)?;
         let extent = model.bounds().map_or(Vec3::ZERO, |(low, high)| high - low);
         let in_file = Vec3::new(extent.x, extent.z, extent.y);
         let up = match self.up {
@@ -131,6 +131,15 @@ impl Asset {
             }
         }
         Ok(model)
+    }
+
+    /// How many units the model's longest side has in its file.
+    ///
+    /// # Errors
+    /// As [`load_model_in`].
+    pub fn file_units(&self) -> Result<f64, CatalogError> {
+        let bounds = load_model_in(&self.root, &self.path)?.bounds();
+        Ok(bounds.map_or(0.0, |(low, high)| f64::from((high - low).max_element())))
     }
 
     /// Its size with how it is known, where the file spans so many units.

@@ -115,8 +115,8 @@ pub enum ModelFault {
     /// Beyond what one model may have.
     #[error("has {count} {what}, more than the {limit} that one model may have; simplify it")]
     TooLarge {
-        /// Bytes, triangles or vertices.
-        what: &'static str,
+        /// Bytes, triangles or vertices, and where if it is one place.
+        what: String,
         /// How many there are.
         count: u64,
         /// How many there may be.
@@ -125,7 +125,7 @@ pub enum ModelFault {
     /// Not glTF 2.0, or cut off.
     #[error("is not a whole glTF 2.0 file: {0}; export it again as GLB")]
     NotGltf(String),
-    /// Geometry in a form that is not read.
+    /// Required extensions that nothing here knows.
     #[error("needs the glTF extension {0}, which is not supported; export it without")]
     Extension(String),
     /// A part of the file contradicts another.
@@ -136,15 +136,60 @@ pub enum ModelFault {
         /// What is wrong there.
         problem: String,
     },
+    /// The file itself lies elsewhere, behind a link.
+    #[error("is refused: it leads out of {root}; copy the model into that folder", root = root.display())]
+    Elsewhere {
+        /// The folder that models must lie in.
+        root: PathBuf,
+    },
+    /// A buffer that is not in the model's catalog.
+    #[error("is refused at {place}: {uri:?} {problem}; put the data beside the model, or export it as GLB")]
+    Outside {
+        /// Where, e.g. `buffers[0]`.
+        place: String,
+        /// As in the file.
+        uri: String,
+        /// Where it leads.
+        problem: &'static str,
+    },
+    /// A buffer that cannot be read.
+    #[error("needs {uri:?} ({place}), which cannot be read: {error}; put that file beside the model")]
+    Beside {
+        /// Where, e.g. `buffers[0]`.
+        place: String,
+        /// As in the file.
+        uri: String,
+        /// What the system says.
+        error: std::io::Error,
+    },
     /// Nothing that a sonar could see.
-    #[error("holds no triangles that have an area; points and lines are no surface")]
+    #[error("holds no triangles in its scene; a model needs a surface, not only points, lines or empty nodes")]
     NoTriangles,
+    /// Triangles, but none that a sonar could see.
+    #[error("holds {0} triangles, none of which has an area; give it an extent")]
+    Flat(u64),
+    /// A panic while it was read.
+    #[error("makes the reader fail, so it must be broken; export it again, without compression if it has any")]
+    Crash,
 }
 
 impl ModelFault {
     pub(crate) fn broken(place: impl Into<String>, problem: impl Into<String>) -> Self {
-        Self::Broken { place: place.into(), problem: problem.into() }
+        Self::Broken { place: short(&place.into()), problem: short(&problem.into()) }
     }
+
+    /// An error if there are more than one model may have.
+    pub(crate) fn limit(what: &str, count: u64, limit: u64) -> Result<(), Self> {
+        if count > limit { Err(Self::TooLarge { what: what.into(), count, limit }) } else { Ok(()) }
+    }
+}
+
+/// Words of a file as a message can hold them: not endless, no control characters.
+pub(crate) fn short(text: &str) -> String {
+    const MOST: usize = 300;
+    let mut letters = text.chars().filter(|letter| !letter.is_control());
+    let kept: String = letters.by_ref().take(MOST).collect();
+    if letters.next().is_some() { kept + "…" } else { kept }
 }
 
 /// `; did you mean X?` for the word nearest to `name`, or nothing if none is near.
@@ -156,5 +201,17 @@ pub(crate) fn did_you_mean<'a>(name: &str, words: impl IntoIterator<Item = &'a s
     match best {
         Some((likeness, word)) if likeness >= 0.5 => format!("; did you mean `{word}`?"),
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_file_cannot_flood_or_colour_a_message() {
+        let fault = ModelFault::broken("nodes[0]", format!("\u{1b}[31m{}", "x".repeat(1_000_000)));
+        let text = fault.to_string();
+        assert!(text.len() < 400 && text.contains("[31mxx") && text.contains("…; export") && !text.contains('\u{1b}'));
     }
 }

@@ -8,6 +8,7 @@ pub mod build;
 pub mod concepts;
 pub mod disk;
 pub mod error;
+pub mod facts;
 pub mod find;
 pub mod glb;
 pub mod home;
@@ -29,8 +30,9 @@ pub mod words;
 
 pub use asset::{Asset, Up};
 pub use error::{CatalogError, ModelFault};
+pub use facts::MeshFacts;
 pub use find::find_catalog;
-pub use glb::load_model;
+pub use glb::{Reading, load_model, load_model_in, read_model};
 pub use index::Catalog;
 pub use licence::{Licence, LicencePolicy};
 pub use model::{Model, Part};

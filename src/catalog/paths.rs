@@ -4,6 +4,9 @@ use std::path::{Component, Path, PathBuf};
 
 use super::error::CatalogError;
 
+/// What addresses begin with, before the colon.
+const ADDRESSES: [&str; 6] = ["data", "file", "ftp", "http", "https", "javascript"];
+
 /// The file of a path that an index names.
 ///
 /// # Errors
@@ -14,13 +17,11 @@ pub fn inside(root: &Path, path: &str) -> Result<PathBuf, String> {
     if path.is_empty() {
         return refuse("is empty");
     }
-    let scheme = path.split_once(':').map(|(scheme, _)| scheme);
-    if scheme.is_some_and(|scheme| {
-        scheme.len() > 1 && scheme.chars().all(|c| c.is_ascii_alphanumeric() || "+-.".contains(c))
-    }) {
+    let scheme = path.split_once(':').map_or("", |(scheme, _)| scheme).to_ascii_lowercase();
+    if path.contains("://") || ADDRESSES.contains(&scheme.as_str()) {
         return refuse("is an address, and nothing is fetched");
     }
-    let drive = scheme.is_some_and(|scheme| scheme.len() == 1 && scheme.starts_with(|c: char| c.is_ascii_alphabetic()));
+    let drive = scheme.len() == 1 && scheme.starts_with(|c: char| c.is_ascii_alphabetic());
     if drive || path.contains('\\') || path.chars().any(char::is_control) {
         return refuse("is no relative path with `/` between its parts");
     }

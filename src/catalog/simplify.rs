@@ -40,7 +40,7 @@ pub fn simplify(model: &mut Model, most: usize) -> Option<Simplified> {
     loop {
         let cell = longest / cells;
         let parts: Vec<Part> = model.parts.iter().map(|part| clustered(part, low, cell)).collect();
-        let coarser = Model { parts };
+        let coarser = Model { parts, origin: model.origin };
         let to = count(&coarser);
         if to <= most || cells < 4.0 {
             *model = coarser;
@@ -102,7 +102,7 @@ mod tests {
                 part.triangles.push([first, first + 1, first + 2]);
             }
         }
-        let whole = Model { parts: vec![part] };
+        let whole = Model { parts: vec![part], ..Model::default() };
         let mut model = whole.clone();
         assert_eq!(simplify(&mut model, 10_000_000), None);
         let Simplified { from, to, moved } = simplify(&mut model, 20_000).expect("too dense");

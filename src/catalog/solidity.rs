@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use glam::Vec3;
 
+use super::facts::MeshFacts;
 use super::model::Model;
 
 /// Facts of a model in its file's units.
@@ -24,24 +25,19 @@ pub struct Solidity {
 /// Looks at a model as it was loaded, unscaled.
 #[must_use]
 pub fn solidity(model: &Model) -> Solidity {
-    let (low, high) = model.bounds().unwrap_or_default();
-    let size = high - low;
-    let mut facts = Solidity { extent: Vec3::new(size.x, size.z, size.y), ..Solidity::default() };
-    let mut vertices = Vertices::default();
-    let mut edges: Vec<(u32, u32)> = Vec::new();
+    let mut facts = Solidity::default();
     for part in &model.parts {
-        let mut area = 0.0;
-        for corners in &part.triangles {
+        let area = |corners: &[u32; 3]| {
             let [a, b, c] = corners.map(|v| part.positions[v as usize]);
-            area += 0.5 * f64::from((b - a).cross(c - a).length());
-            let [a, b, c] = [a, b, c].map(|p| vertices.number(p));
-            edges.extend([(a, b), (b, c), (c, a)].map(|(p, q)| (p.min(q), p.max(q))));
-        }
-        facts.triangles += part.triangles.len() as u64;
-        *facts.areas.entry(part.material.clone()).or_default() += area;
+            0.5 * f64::from((b - a).cross(c - a).length())
+        };
+        *facts.areas.entry(part.material.clone()).or_default() += part.triangles.iter().map(area).sum::<f64>();
     }
-    edges.sort_unstable();
-    facts.watertight = !edges.is_empty() && edges.chunk_by(|a, b| a == b).all(|same| same.len() == 2);
+    if let Some(mesh) = MeshFacts::of(model) {
+        let size = mesh.extents();
+        facts.extent = Vec3::new(size.x, size.z, size.y);
+        (facts.triangles, facts.watertight) = (mesh.triangles, mesh.is_watertight());
+    }
     facts
 }
 
@@ -125,7 +121,7 @@ mod tests {
         let positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z * 2.0];
         let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
         let part = Part { positions, triangles, material: "steel".into(), ..Part::default() };
-        let mut model = Model { parts: vec![part] };
+        let mut model = Model { parts: vec![part], ..Model::default() };
         let facts = solidity(&model);
         assert_eq!((facts.triangles, facts.watertight, facts.extent), (4, true, Vec3::new(1.0, 2.0, 1.0)));
         assert!((facts.areas["steel"] - (0.5 + 1.0 + 1.0 + 1.5)).abs() < 1e-6);

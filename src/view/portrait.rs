@@ -193,7 +193,7 @@ mod tests {
         let corners = [[-1.0, -0.5, 0.0], [1.0, -0.5, 0.0], [1.0, 0.5, 0.02], [-1.0, 0.5, 0.02]];
         let positions = corners.map(Vec3::from_array).to_vec();
         let plate = Part { positions, triangles: vec![[0, 1, 2], [0, 2, 3]], ..Part::default() };
-        let model = Model { parts: vec![plate] };
+        let model = Model { parts: vec![plate], ..Model::default() };
         let picture = portrait(&Portrait { model: &model, title: "plate", material_of: &|_| "steel".into() });
         let count = |left: u32| {
             let pixels = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));

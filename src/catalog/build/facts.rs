@@ -11,7 +11,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::relative;
 use crate::catalog::error::{CatalogError, ModelFault};
-use crate::catalog::glb::load_model;
+use crate::catalog::glb::load_model_in;
 use crate::catalog::paths;
 use crate::catalog::solidity::solidity;
 use crate::catalog::text::clean;
@@ -76,7 +76,7 @@ impl Facts {
             Stamp::of(root, path).map_err(|e| CatalogError::Model { path: path.clone(), fault: ModelFault::Io(e) })
         };
         let files: Vec<Stamp> = files.iter().map(stamp).collect::<Result<_, CatalogError>>()?;
-        let solid = solidity(&load_model(file)?);
+        let solid = solidity(&load_model_in(root, file)?);
         Ok(Self {
             sha256: files[0].sha256.clone(),
             files,

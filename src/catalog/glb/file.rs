@@ -1,162 +1,234 @@
-//! A glTF file as JSON and buffers: the container, relative `.bin` files and `data:` URIs.
+//! A glTF file as JSON and the bytes of its buffers and views.
 //!
-//! Knows nothing of accessors or nodes.
+//! Buffers are read when geometry asks for them: those of textures are never touched. Knows nothing of accessors or nodes.
 
-use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::borrow::Cow;
+use std::cell::{Cell, OnceCell};
+use std::collections::BTreeMap;
 
-use gltf::json::Root;
+use super::container::Container;
+use super::draco::Streams;
+use super::folder::{Folder, MAX_BYTES};
+use super::schema::{Buffer, BufferView, Root};
+use super::{meshopt, uri};
+use crate::catalog::error::{ModelFault, short};
 
-use crate::catalog::error::ModelFault;
+/// Most numbers that are read from one file, those of shared accessors counted each time.
+const MAX_NUMBERS: u64 = 250_000_000;
 
-/// Largest file read, bytes.
-const MAX_BYTES: u64 = 512 << 20;
-
-/// Extensions that may be required although nothing here reads them: they touch appearance only.
-const APPEARANCE: &[&str] = &[
-    "KHR_lights_punctual",
+/// Required extensions whose geometry is read.
+const GEOMETRY: [&str; 6] = [
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
     "KHR_mesh_quantization",
-    "KHR_texture_basisu",
-    "KHR_texture_transform",
-    "EXT_texture_avif",
-    "EXT_texture_webp",
-    "MSFT_texture_dds",
+    "EXT_mesh_gpu_instancing",
+    "KHR_node_visibility",
 ];
 
-/// A parsed file with the bytes of its buffers.
-pub(super) struct File {
-    pub root: Root,
-    pub buffers: Vec<Vec<u8>>,
+/// Beginnings of extensions that may be required although nothing here reads them: no surface depends on them.
+const NO_GEOMETRY: [&str; 24] = [
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "KHR_xmp",
+    "KHR_techniques_webgl",
+    "KHR_animation_pointer",
+    "KHR_node_selectability",
+    "KHR_node_hoverability",
+    "KHR_interactivity",
+    "KHR_audio",
+    "EXT_texture_",
+    "EXT_lights_",
+    "EXT_materials_",
+    "EXT_mesh_features",
+    "EXT_mesh_manifold",
+    "EXT_instance_features",
+    "EXT_structural_metadata",
+    "MSFT_texture_",
+    "MSFT_packing_",
+    "MSFT_lod",
+    "ADOBE_materials_",
+    "AGI_",
+    "CESIUM_primitive_outline",
+    "FB_geometry_metadata",
+];
+
+/// A parsed file.
+pub(super) struct File<'a> {
+    pub root: Root<'a>,
+    bin: Option<&'a [u8]>,
+    folder: &'a Folder,
+    buffers: Vec<OnceCell<Cow<'a, [u8]>>>,
+    /// Decompressed views, by number.
+    views: BTreeMap<usize, OnceCell<Vec<u8>>>,
+    pub streams: Streams,
+    /// Bytes read or decompressed.
+    bytes: Cell<u64>,
+    numbers: Cell<u64>,
 }
 
-impl File {
-    /// Reads a `.glb` or `.gltf` and everything that its buffers point to.
-    pub fn open(path: &Path) -> Result<Self, ModelFault> {
-        let bytes = read_limited(path)?;
-        let (root, blob) = parse(&bytes)?;
-        if let Some(name) = root.extensions_required.iter().find(|name| !is_about_appearance(name)) {
-            return Err(ModelFault::Extension(name.clone()));
-        }
-        let mut blob = blob;
-        let mut buffers = Vec::with_capacity(root.buffers.len());
-        for (number, buffer) in root.buffers.iter().enumerate() {
-            let place = || format!("buffers[{number}]");
-            let data = match &buffer.uri {
-                Some(uri) => resolve(uri, path, &place())?,
-                None if number == 0 => blob.take().ok_or_else(|| ModelFault::broken(place(), "it has no data"))?,
-                None => return Err(ModelFault::broken(place(), "it has no data")),
-            };
-            if (data.len() as u64) < buffer.byte_length.0 {
-                let problem = format!("{} bytes are there, {} are announced", data.len(), buffer.byte_length.0);
-                return Err(ModelFault::broken(place(), problem));
-            }
-            buffers.push(data);
-        }
-        Ok(Self { root, buffers })
+/// The bytes of a buffer view.
+pub(super) struct View<'a> {
+    pub bytes: &'a [u8],
+    pub stride: Option<u64>,
+}
+
+impl<'a> File<'a> {
+    /// Parses the bytes of a `.glb` or `.gltf`; `folder` is where its buffers may lie.
+    pub fn parse(bytes: &'a [u8], folder: &'a Folder) -> Result<Self, ModelFault> {
+        let Container { json, bin } = Container::of(bytes)?;
+        let root = parse_json(json)?;
+        check_version(&root)?;
+        check_extensions(&root)?;
+        let compressed = |view: &BufferView| view.extensions.as_ref().is_some_and(|e| e.meshopt().is_some());
+        let views = root.buffer_views.iter().enumerate().filter(|(_, view)| compressed(view));
+        Ok(Self {
+            bin,
+            folder,
+            buffers: root.buffers.iter().map(|_| OnceCell::new()).collect(),
+            views: views.map(|(number, _)| (number, OnceCell::new())).collect(),
+            streams: Streams::default(),
+            bytes: Cell::new(bytes.len() as u64),
+            numbers: Cell::new(0),
+            root,
+        })
     }
-}
 
-fn is_about_appearance(extension: &str) -> bool {
-    extension.starts_with("KHR_materials_") || APPEARANCE.contains(&extension)
-}
-
-fn read_limited(path: &Path) -> Result<Vec<u8>, ModelFault> {
-    let count = fs::metadata(path)?.len();
-    if count > MAX_BYTES {
-        return Err(ModelFault::TooLarge { what: "bytes", count, limit: MAX_BYTES });
-    }
-    Ok(fs::read(path)?)
-}
-
-fn parse(bytes: &[u8]) -> Result<(Root, Option<Vec<u8>>), ModelFault> {
-    if bytes.starts_with(b"glTF") {
-        // The container reader subtracts the header from this length without looking.
-        let announced = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-        if announced.is_none_or(|length| length < 12) {
-            return Err(ModelFault::NotGltf("its header is cut off".into()));
-        }
-        let glb = gltf::Glb::from_slice(bytes).map_err(|e| ModelFault::NotGltf(e.to_string()))?;
-        Ok((parse_json(&glb.json)?, glb.bin.map(|bin| bin.into_owned())))
-    } else {
-        Ok((parse_json(bytes)?, None))
-    }
-}
-
-fn parse_json(json: &[u8]) -> Result<Root, ModelFault> {
-    let root: Root = gltf::json::deserialize::from_slice(json).map_err(|e| ModelFault::NotGltf(e.to_string()))?;
-    if root.asset.version.starts_with("2.") {
-        Ok(root)
-    } else {
-        Err(ModelFault::NotGltf(format!("its version is {:?}", root.asset.version)))
-    }
-}
-
-fn resolve(uri: &str, model: &Path, place: &str) -> Result<Vec<u8>, ModelFault> {
-    if let Some(data) = uri.strip_prefix("data:") {
-        let text = data.split_once(";base64,").map(|(_, text)| text);
-        let decoded = text.and_then(base64);
-        return decoded.ok_or_else(|| ModelFault::broken(place, "its data: URI is not base64"));
-    }
-    let relative = PathBuf::from(percent_decoded(uri));
-    if relative.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir)) {
-        return Err(ModelFault::broken(place, format!("{uri:?} leaves the model's folder")));
-    }
-    let file = model.parent().unwrap_or(Path::new("")).join(relative);
-    read_limited(&file).map_err(|fault| ModelFault::broken(place, format!("{uri:?} {fault}")))
-}
-
-fn percent_decoded(uri: &str) -> String {
-    let bytes = uri.as_bytes();
-    let mut out = Vec::with_capacity(bytes.len());
-    let mut at = 0;
-    while at < bytes.len() {
-        let escaped = (bytes[at] == b'%').then(|| uri.get(at + 1..at + 3)).flatten();
-        match escaped.and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
-            Some(byte) => {
-                out.push(byte);
-                at += 3;
-            }
-            None => {
-                out.push(bytes[at]);
-                at += 1;
-            }
-        }
-    }
-    String::from_utf8_lossy(&out).into_owned()
-}
-
-fn base64(text: &str) -> Option<Vec<u8>> {
-    let text = text.trim_end_matches('=');
-    let mut out = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let (mut bits, mut held) = (0u32, 0u32);
-    for symbol in text.bytes() {
-        let value = match symbol {
-            b'A'..=b'Z' => symbol - b'A',
-            b'a'..=b'z' => symbol - b'a' + 26,
-            b'0'..=b'9' => symbol - b'0' + 52,
-            b'+' | b'-' => 62,
-            b'/' | b'_' => 63,
-            _ => return None,
+    /// The bytes of a view, decompressed.
+    pub fn view(&self, number: u32) -> Result<View<'_>, ModelFault> {
+        let place = || format!("bufferViews[{number}]");
+        let view = self.root.buffer_views.get(number as usize);
+        let view = view.ok_or_else(|| ModelFault::broken(place(), "it does not exist"))?;
+        let (Some(decoded), Some(packed)) =
+            (self.views.get(&(number as usize)), view.extensions.as_ref().and_then(|e| e.meshopt()))
+        else {
+            let bytes = self.range(view.buffer, view.byte_offset, view.byte_length).map_err(|e| e.at(place))?;
+            return Ok(View { bytes, stride: view.byte_stride });
         };
-        bits = (bits << 6) | u32::from(value);
-        held += 6;
-        if held >= 8 {
-            held -= 8;
-            out.push((bits >> held) as u8);
-        }
+        let bytes = once(decoded, || {
+            let source = self.range(packed.buffer, packed.byte_offset, packed.byte_length).map_err(|e| e.at(place))?;
+            self.spend_bytes(packed.count.saturating_mul(packed.byte_stride))?;
+            meshopt::decode(source, packed).map_err(|problem| ModelFault::broken(place(), problem))
+        })?;
+        Ok(View { bytes, stride: Some(packed.byte_stride) })
     }
-    Some(out)
+
+    fn range(&self, buffer: u32, start: u64, length: u64) -> Result<&[u8], RangeFault> {
+        let bytes = self.buffer(buffer)?;
+        let start = usize::try_from(start).ok();
+        let range = start.zip(usize::try_from(length).ok()).and_then(|(start, length)| {
+            let end = start.checked_add(length)?;
+            bytes.get(start..end)
+        });
+        range.ok_or_else(|| RangeFault::Beyond(format!("it ends beyond buffers[{buffer}] ({} bytes)", bytes.len())))
+    }
+
+    fn buffer(&self, number: u32) -> Result<&[u8], RangeFault> {
+        let about = self.root.buffers.get(number as usize).zip(self.buffers.get(number as usize));
+        let (buffer, cell) = about.ok_or_else(|| RangeFault::Beyond(format!("there is no buffers[{number}]")))?;
+        let bytes = once(cell, || self.load(number, buffer))?;
+        Ok(bytes)
+    }
+
+    fn load(&self, number: u32, buffer: &Buffer) -> Result<Cow<'a, [u8]>, ModelFault> {
+        let place = format!("buffers[{number}]");
+        let data = match buffer.uri.as_ref().map(|uri| &*uri.0) {
+            None => self.bin.filter(|_| number == 0).map(Cow::Borrowed).ok_or("it has no data"),
+            Some(uri) => match uri::data(uri) {
+                Some(data) => data.map(Cow::Owned),
+                None => {
+                    let left = MAX_BYTES - self.bytes.get().min(MAX_BYTES);
+                    Ok(Cow::Owned(self.folder.read_uri(uri, &place, left)?))
+                }
+            },
+        };
+        let data = data.map_err(|problem| ModelFault::broken(&place, problem))?;
+        if let Cow::Owned(data) = &data {
+            self.spend_bytes(data.len() as u64)?;
+        }
+        if (data.len() as u64) < buffer.byte_length {
+            let problem = format!("{} bytes are there, {} are announced", data.len(), buffer.byte_length);
+            return Err(ModelFault::broken(place, problem));
+        }
+        Ok(data)
+    }
+
+    /// Counts bytes against what one model may take, before they are made.
+    pub fn spend_bytes(&self, count: u64) -> Result<(), ModelFault> {
+        self.bytes.set(self.bytes.get().saturating_add(count));
+        ModelFault::limit("bytes with its buffers and decompressed", self.bytes.get(), MAX_BYTES)
+    }
+
+    /// Counts numbers against what may be read from one model, before they are read.
+    pub fn spend_numbers(&self, count: u64) -> Result<(), ModelFault> {
+        self.numbers.set(self.numbers.get().saturating_add(count));
+        ModelFault::limit("numbers in all places where it uses them", self.numbers.get(), MAX_NUMBERS)
+    }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// What is wrong with a range of a buffer: with the range, or with the buffer itself.
+enum RangeFault {
+    Beyond(String),
+    Buffer(ModelFault),
+}
 
-    #[test]
-    fn base64_and_percent_signs_are_decoded() {
-        assert_eq!(base64("c29uYXI=").as_deref(), Some(&b"sonar"[..]));
-        assert_eq!(base64("+/8=").as_deref(), Some(&[0xFB, 0xFF][..]));
-        assert_eq!(base64("a*"), None);
-        assert_eq!(percent_decoded("a%20b%E2%9A%93%z"), "a b⚓%z");
+impl RangeFault {
+    fn at(self, place: impl Fn() -> String) -> ModelFault {
+        match self {
+            Self::Beyond(problem) => ModelFault::broken(place(), problem),
+            Self::Buffer(fault) => fault,
+        }
+    }
+}
+
+impl From<ModelFault> for RangeFault {
+    fn from(fault: ModelFault) -> Self {
+        Self::Buffer(fault)
+    }
+}
+
+/// The value of a cell, made on first use; an error is not kept.
+pub(super) fn once<T>(cell: &OnceCell<T>, make: impl FnOnce() -> Result<T, ModelFault>) -> Result<&T, ModelFault> {
+    if cell.get().is_none() {
+        let value = make()?;
+        return Ok(cell.get_or_init(|| value));
+    }
+    Ok(cell.get().expect("it was just seen"))
+}
+
+fn parse_json(json: &[u8]) -> Result<Root<'_>, ModelFault> {
+    serde_json::from_slice(json).map_err(|plain| {
+        // Only now, as finding the place takes time.
+        let mut reader = serde_json::Deserializer::from_slice(json);
+        match serde_path_to_error::deserialize::<_, Root>(&mut reader) {
+            Err(error) if !error.path().to_string().starts_with('.') => {
+                ModelFault::broken(error.path().to_string(), error.inner().to_string())
+            }
+            _ => ModelFault::NotGltf(short(&plain.to_string())),
+        }
+    })
+}
+
+fn check_version(root: &Root) -> Result<(), ModelFault> {
+    let version = &root.asset.version.0;
+    if !version.starts_with("2.") {
+        return Err(ModelFault::NotGltf(short(&format!("its version is {version:?}"))));
+    }
+    match &root.asset.min_version {
+        Some(least) if least.0 != "2.0" => Err(ModelFault::NotGltf(short(&format!("it needs version {:?}", least.0)))),
+        _ => Ok(()),
+    }
+}
+
+fn check_extensions(root: &Root) -> Result<(), ModelFault> {
+    let known = |name: &str| GEOMETRY.contains(&name) || NO_GEOMETRY.iter().any(|start| name.starts_with(start));
+    let mut unknown = root.extensions_required.iter().map(|name| &*name.0).filter(|name| !known(name));
+    match unknown.next() {
+        None => Ok(()),
+        Some(first) => {
+            let others = unknown.take(5).map(|name| format!(", {}", short(name)));
+            Err(ModelFault::Extension(std::iter::once(short(first)).chain(others).collect()))
+        }
     }
 }

@@ -2,12 +2,11 @@
 //!
 //! Walks without recursion, so that neither depth nor cycles can overflow the stack.
 
-use std::collections::BTreeSet;
+use glam::DAffine3;
+use serde::Deserialize;
 
-use glam::{DAffine3, DMat3, DVec3};
-use gltf::json::Root;
-use gltf::json::scene::Node;
-
+use super::schema::{Node, Root};
+use super::transform::local_transform;
 use crate::catalog::error::ModelFault;
 
 /// What is known of every node of a file.
@@ -16,7 +15,8 @@ pub(super) struct Nodes {
     pub world: Vec<DAffine3>,
     /// Node that a mesh on this node belongs to, by node number.
     pub owner: Vec<usize>,
-    /// Nodes of the default scene (the first without one, all without scenes), parents before children.
+    /// Nodes of the default scene (the first without one, all without scenes), parents before children, without those
+    /// that KHR_node_visibility hides.
     pub shown: Vec<usize>,
 }
 
@@ -24,12 +24,13 @@ impl Nodes {
     pub fn of(root: &Root) -> Result<Self, ModelFault> {
         let parents = parents(root)?;
         let roots: Vec<usize> = (0..root.nodes.len()).filter(|&node| parents[node].is_none()).collect();
-        let order = walk(root, &roots);
+        let order = walk(root, &roots, |_| true);
         if order.len() < root.nodes.len() {
-            return Err(ModelFault::broken("nodes", "some are their own ancestors"));
+            return Err(ModelFault::broken(place(one_of_a_cycle(&parents, &order)), "it is its own ancestor"));
         }
         let mut world = vec![DAffine3::IDENTITY; root.nodes.len()];
         let mut owner: Vec<usize> = (0..root.nodes.len()).collect();
+        let ranks: Vec<u8> = root.nodes.iter().map(rank).collect();
         for &node in &order {
             let parent = parents[node];
             let local = local_transform(&root.nodes[node]);
@@ -38,23 +39,25 @@ impl Nodes {
                 return Err(ModelFault::broken(place(node), "its transform is not finite"));
             }
             owner[node] = match parent {
-                Some(parent) if rank(&root.nodes[owner[parent]]) > rank(&root.nodes[node]) => owner[parent],
+                Some(parent) if ranks[owner[parent]] > ranks[node] => owner[parent],
                 _ => node,
             };
         }
-        let shown = match shown_roots(root)? {
-            Some(roots) => walk(root, &roots),
-            None => order,
-        };
+        let shown = walk(root, &shown_roots(root)?.unwrap_or(roots), |node| !is_hidden(node));
         Ok(Self { world, owner, shown })
     }
 }
 
 /// `extras.categoryID` of a node.
 pub(super) fn category(node: &Node) -> Option<String> {
-    let extras: serde_json::Value = serde_json::from_str(node.extras.as_ref()?.get()).ok()?;
-    match extras.get("categoryID")? {
-        serde_json::Value::String(text) if !text.is_empty() => Some(text.clone()),
+    #[derive(Deserialize)]
+    struct Extras {
+        #[serde(rename = "categoryID")]
+        category: Option<serde_json::Value>,
+    }
+    let extras: Extras = serde_json::from_str(node.extras?.get()).ok()?;
+    match extras.category? {
+        serde_json::Value::String(text) if !text.is_empty() => Some(text),
         serde_json::Value::Number(number) => Some(number.to_string()),
         _ => None,
     }
@@ -62,7 +65,12 @@ pub(super) fn category(node: &Node) -> Option<String> {
 
 /// A category names a thing better than a name, a name better than nothing.
 fn rank(node: &Node) -> u8 {
-    if category(node).is_some() { 2 } else { u8::from(node.name.as_ref().is_some_and(|name| !name.is_empty())) }
+    if category(node).is_some() { 2 } else { u8::from(node.name.as_ref().is_some_and(|name| !name.0.is_empty())) }
+}
+
+fn is_hidden(node: &Node) -> bool {
+    let visibility = node.extensions.as_ref().and_then(|extensions| extensions.visibility.as_ref());
+    visibility.is_some_and(|visibility| visibility.visible == Some(false))
 }
 
 fn place(node: usize) -> String {
@@ -72,7 +80,7 @@ fn place(node: usize) -> String {
 fn parents(root: &Root) -> Result<Vec<Option<usize>>, ModelFault> {
     let mut parents = vec![None; root.nodes.len()];
     for (number, node) in root.nodes.iter().enumerate() {
-        for child in node.children.iter().flatten().map(|child| child.value()) {
+        for child in node.children.iter().map(|&child| child as usize) {
             match parents.get_mut(child) {
                 None => return Err(ModelFault::broken(place(number), format!("its child {child} does not exist"))),
                 Some(Some(other)) if *other != number => {
@@ -85,61 +93,41 @@ fn parents(root: &Root) -> Result<Vec<Option<usize>>, ModelFault> {
     Ok(parents)
 }
 
+/// A node on a cycle, where some nodes cannot be reached from above.
+fn one_of_a_cycle(parents: &[Option<usize>], reached: &[usize]) -> usize {
+    let mut open = vec![true; parents.len()];
+    reached.iter().for_each(|&node| open[node] = false);
+    let mut node = open.iter().position(|&open| open).unwrap_or(0);
+    // Climbing from an unreached node ends in a cycle; the first node that comes twice is on it.
+    while std::mem::take(&mut open[node]) {
+        node = parents[node].unwrap_or(node);
+    }
+    node
+}
+
 fn shown_roots(root: &Root) -> Result<Option<Vec<usize>>, ModelFault> {
-    let number = root.scene.map(|scene| scene.value());
-    if number.is_none() && root.scenes.is_empty() {
+    if root.scene.is_none() && root.scenes.is_empty() {
         return Ok(None);
     }
-    let number = number.unwrap_or(0);
+    let number = root.scene.unwrap_or(0) as usize;
     let scene = root.scenes.get(number).ok_or_else(|| ModelFault::broken("scene", format!("no scenes[{number}]")))?;
-    let roots: Vec<usize> = scene.nodes.iter().map(|node| node.value()).collect();
+    let roots: Vec<usize> = scene.nodes.iter().map(|&node| node as usize).collect();
     match roots.iter().find(|&&node| node >= root.nodes.len()) {
         Some(node) => Err(ModelFault::broken(format!("scenes[{number}]"), format!("its node {node} does not exist"))),
         None => Ok(Some(roots)),
     }
 }
 
-/// Everything below `roots` once, parents before children, in file order.
-fn walk(root: &Root, roots: &[usize]) -> Vec<usize> {
-    let mut seen = BTreeSet::new();
+/// Everything below `roots` once, parents before children, in file order; not below nodes that `enters` refuses.
+fn walk(root: &Root, roots: &[usize], enters: impl Fn(&Node) -> bool) -> Vec<usize> {
+    let mut seen = vec![false; root.nodes.len()];
     let mut waiting: Vec<usize> = roots.iter().rev().copied().collect();
     let mut order = Vec::new();
     while let Some(node) = waiting.pop() {
-        if seen.insert(node) {
+        if !std::mem::replace(&mut seen[node], true) && enters(&root.nodes[node]) {
             order.push(node);
-            let children = root.nodes[node].children.iter().flatten().map(|child| child.value());
-            let from = waiting.len();
-            waiting.extend(children);
-            waiting[from..].reverse();
+            waiting.extend(root.nodes[node].children.iter().rev().map(|&child| child as usize));
         }
     }
     order
-}
-
-fn local_transform(node: &Node) -> DAffine3 {
-    if let Some(m) = node.matrix {
-        let m = m.map(f64::from);
-        let column = |k: usize| DVec3::new(m[4 * k], m[4 * k + 1], m[4 * k + 2]);
-        let linear = DMat3::from_cols(column(0), column(1), column(2));
-        return DAffine3 { matrix3: linear, translation: column(3) };
-    }
-    let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-    let scale = vector(node.scale.unwrap_or([1.0; 3]));
-    let rotation = rotation_matrix(node.rotation.unwrap_or_default().0.map(f64::from));
-    let linear = DMat3::from_cols(rotation.x_axis * scale.x, rotation.y_axis * scale.y, rotation.z_axis * scale.z);
-    DAffine3 { matrix3: linear, translation: vector(node.translation.unwrap_or([0.0; 3])) }
-}
-
-/// Rotation by a quaternion (x, y, z, w) of any length but 0, which turns nothing.
-fn rotation_matrix([x, y, z, w]: [f64; 4]) -> DMat3 {
-    let length_squared = x * x + y * y + z * z + w * w;
-    if length_squared == 0.0 {
-        return DMat3::IDENTITY;
-    }
-    let s = 2.0 / length_squared;
-    DMat3::from_cols(
-        DVec3::new(1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)),
-        DVec3::new(s * (x * y - z * w), 1.0 - s * (x * x + z * z), s * (y * z + x * w)),
-        DVec3::new(s * (x * z + y * w), s * (y * z - x * w), 1.0 - s * (x * x + y * y)),
-    )
 }

@@ -96,13 +96,34 @@ fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, errors: usize) 
     known
         .filter(|other| other.len() >= 3 && other.len().abs_diff(length) <= errors && !other.starts_with(['#', '=']))
         .filter_map(|other| {
-            let distance = strsim::damerau_levenshtein(word, other);
+            let distance = errors_between(word, other);
             let other_first = other.chars().next() != first;
             // A wrong first letter counts as one more.
             (distance + usize::from(other_first) <= errors).then_some((distance, other_first, other))
         })
         .min()
         .map(|(_, _, other)| other)
+}
+
+/// How many errors lead from one word to the other. A letter doubled or not counts one wherever it is, and so do all
+/// letters in another order behind the first.
+fn errors_between(word: &str, other: &str) -> usize {
+    let plain = strsim::damerau_levenshtein(word, other);
+    if plain < 2 {
+        return plain;
+    }
+    let once = |word: &str| {
+        let mut letters: Vec<char> = word.chars().collect();
+        letters.dedup();
+        letters
+    };
+    let sorted = |word: &str| {
+        let mut letters: Vec<char> = word.chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    let same_first = word.chars().next() == other.chars().next();
+    if once(word) == once(other) || (same_first && sorted(word) == sorted(other)) { 1 } else { plain }
 }
 
 /// What the last part of a compound means: `Lkwreifen`, `rustbucket`.

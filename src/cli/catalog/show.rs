@@ -122,12 +122,10 @@ fn facts(opened: &Opened, asset: &Asset, model: Option<&Model>) -> anyhow::Resul
     let extent = solid.as_ref().map(|solid| solid.extent);
     let licence = Licence::read(&asset.licence);
     let file_units = match (asset.size_m, model) {
-        (None, Some(_)) => {
-            crate::catalog::load_model(&asset.path)?.bounds().map(|(low, high)| (high - low).max_element())
-        }
+        (None, Some(_)) => Some(asset.file_units()?),
         _ => None,
     };
-    let sized = file_units.map(|units| asset.size(f64::from(units)));
+    let sized = file_units.map(|units| asset.size(units));
     let about = match opened.catalog.disk() {
         Some(disk) => disk.number(&asset.uid)?.map(|number| disk.record(number)).transpose()?.map(|r| r.about),
         None => None,
