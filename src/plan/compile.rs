@@ -219,13 +219,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// Those of the models that scenes of this split may show.
-    fn dealt<'m>(
-        &self,
-        catalog: &Catalog,
-        name: &str,
-        matching: &'m [Asset],
-        choice: &Choice<'_>,
-    ) -> Vec<&'m Asset> {
+    fn dealt<'m>(&self, catalog: &Catalog, name: &str, matching: &'m [Asset], choice: &Choice<'_>) -> Vec<&'m Asset> {
         let Header { splits, seed, .. } = choice.header;
         if splits.by != SplitBy::Asset {
             return matching.iter().collect();
