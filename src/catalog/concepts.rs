@@ -244,7 +244,11 @@ impl Concepts {
     fn last_label(&self, text: &str) -> Option<&str> {
         let units = self.read(text);
         let meant = || units.iter().rev().filter_map(|unit| unit.concepts.first().copied());
-        meant().find(|&concept| !self.is_group(concept)).or_else(|| meant().next()).map(|concept| self.name(concept))
+        // A kind of something (`wine-bottle`) is labelled as that.
+        let label = |concept: Concept| {
+            std::iter::once(concept).chain(self.groups(concept)).find(|&wider| !self.is_group(wider))
+        };
+        meant().find_map(label).or_else(|| meant().next()).map(|concept| self.name(concept))
     }
 
     /// Whether others belong to it and nothing is known of its size.

@@ -115,6 +115,7 @@ mod tests {
         }
         assert_eq!(index.postings("nothing of the kind").expect("readable"), Vec::<Posting>::new());
         assert!(index.beginning_with('r').contains(&"rusty"));
+        assert_eq!(index.postings("=anchor").expect("readable").len(), 3000_usize.div_ceil(7));
         let found = find("rusty anker", &index, 5).expect("readable");
         assert_eq!(found.len(), 5);
         assert_eq!(index.record(found[0].model).expect("readable").label, "anchor");

@@ -9,7 +9,7 @@ use rayon::slice::ParallelSliceMut as _;
 
 use super::{FILE, HEADER, MAGIC, MARK, Record, push_number};
 use crate::catalog::error::CatalogError;
-use crate::catalog::search::terms::{Described, TAG, terms_of, terms_of_tag};
+use crate::catalog::search::terms::{Described, TAG, label_term, terms_of, terms_of_tag};
 
 /// Records with their terms, numbered among themselves.
 #[derive(Debug, Default)]
@@ -30,6 +30,8 @@ impl Batch {
         self.records.extend(record.encoded());
         self.ends.push((self.records.len(), record.uid.len() as u16));
         let first = self.postings.len();
+        let label = number(&mut self.numbers, label_term(&record.label));
+        self.postings.push(Packed::of(label, model, 1));
         for (term, weight) in terms_of(&Described { tags: &[], ..*described }) {
             let number = number(&mut self.numbers, term);
             self.postings.push(Packed::of(number, model, weight));

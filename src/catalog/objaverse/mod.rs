@@ -10,7 +10,7 @@ mod record;
 #[cfg(feature = "parquet")]
 pub mod xl;
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
@@ -110,7 +110,7 @@ pub fn gather(home: &Path) -> Result<Gathered, CatalogError> {
 struct Known {
     /// By uid.
     paths: Vec<(Box<str>, Box<str>)>,
-    lvis: BTreeMap<String, String>,
+    lvis: HashMap<String, String>,
 }
 
 impl Known {
@@ -210,9 +210,9 @@ fn object_paths(home: &Path, problems: &mut Vec<String>) -> Result<Vec<(Box<str>
 }
 
 /// LVIS categories by uid.
-fn categories(home: &Path, problems: &mut Vec<String>) -> BTreeMap<String, String> {
+fn categories(home: &Path, problems: &mut Vec<String>) -> HashMap<String, String> {
     let file = home.join(LVIS);
-    let mut of_uid = BTreeMap::new();
+    let mut of_uid = HashMap::new();
     let Ok(contents) = Contents::read(&file) else { return of_uid };
     let parsed = each_entry(&contents.bytes, |category, uids: Vec<String>| {
         for uid in uids {

@@ -95,6 +95,8 @@ fn beginning(text: &str, most: usize) -> &str {
 /// Adds a record with what it is found by.
 pub(super) fn add(batch: &mut Batch, record: &Record) {
     let Record { name, label, category, tags, .. } = record;
+    // A label that was read from name or tags says no more than they do.
+    let label = if category.is_empty() { "" } else { label };
     let described = Described { name, label, category, tags, ..Described::default() };
     batch.add(record, &described);
 }

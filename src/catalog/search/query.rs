@@ -96,22 +96,18 @@ fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, errors: usize) 
     known
         .filter(|other| other.len() >= 3 && other.len().abs_diff(length) <= errors && !other.starts_with(['#', '=']))
         .filter_map(|other| {
-            let distance = errors_between(word, other);
+            let distance = half_errors(word, other);
             let other_first = other.chars().next() != first;
             // A wrong first letter counts as one more.
-            (distance + usize::from(other_first) <= errors).then_some((distance, other_first, other))
+            (distance + 2 * usize::from(other_first) <= 2 * errors).then_some((distance, other_first, other))
         })
         .min()
         .map(|(_, _, other)| other)
 }
 
-/// How many errors lead from one word to the other. A letter doubled or not counts one wherever it is, and so do all
+/// How many half errors lead from one word to the other. What fingers do most counts half: a letter doubled or not, and
 /// letters in another order behind the first.
-fn errors_between(word: &str, other: &str) -> usize {
-    let plain = strsim::damerau_levenshtein(word, other);
-    if plain < 2 {
-        return plain;
-    }
+fn half_errors(word: &str, other: &str) -> usize {
     let once = |word: &str| {
         let mut letters: Vec<char> = word.chars().collect();
         letters.dedup();
@@ -123,7 +119,10 @@ fn errors_between(word: &str, other: &str) -> usize {
         letters
     };
     let same_first = word.chars().next() == other.chars().next();
-    if once(word) == once(other) || (same_first && sorted(word) == sorted(other)) { 1 } else { plain }
+    if once(word) == once(other) || (same_first && sorted(word) == sorted(other)) {
+        return usize::from(word != other);
+    }
+    2 * strsim::damerau_levenshtein(word, other)
 }
 
 /// What the last part of a compound means: `Lkwreifen`, `rustbucket`.

@@ -52,7 +52,6 @@ pub fn label_term(label: &str) -> String {
 #[must_use]
 pub fn terms_of(model: &Described<'_>) -> BTreeMap<String, u8> {
     let mut terms = Collected(BTreeMap::new());
-    terms.add(label_term(model.label), 1);
     terms.label(model.label);
     if !model.category.is_empty() {
         terms.label(model.category);
