@@ -96,7 +96,7 @@ fn fan(sight: &Sight, folder: &Path) -> Result<GrayImage> {
     let assets = AssetCache::new(folder);
     let plan = compile(&Recipe::parse(caption, &text)?, "gallery", folder, &assets)?;
     let built = World::build(&plan.scenes[0], &assets)?;
-    let frame = Renderer::default().render(&plan.header, &plan.jobs[0], &built);
+    let frame = Renderer::default().render(&plan.header, &plan.jobs[0], &built)?;
     let picture = frame.pictures.into_iter().find(|picture| picture.view == View::Fan).context("no fan")?;
     ensure!(!picture.looks.is_empty(), "no look");
     let (width, height) = (picture.labels.width, picture.labels.height);

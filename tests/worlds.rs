@@ -43,7 +43,11 @@ fn world(desk: &Desk, sections: &str) -> (Project, World) {
 
 fn ping(project: &Project, world: &World) -> Echoes {
     let job = &project.plan.jobs[0];
-    Tracer::new(&job.sonar).trace(world.scene(), &world.sonar_pose(&project.plan.header, job), Keep::ENERGY)
+    Tracer::new(&job.sonar).trace(
+        world.scene(),
+        &world.sonar_pose(&project.plan.header, job).expect("no file of poses"),
+        Keep::ENERGY,
+    )
 }
 
 /// Part of the cells that echo.

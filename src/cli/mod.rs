@@ -12,14 +12,20 @@ macro_rules! say {
 
 mod catalog;
 mod check;
+mod diff;
+mod finish;
+mod job;
 mod plan;
 mod preview;
 mod progress;
 mod realism;
 mod run;
 mod schema;
+mod shards;
+mod signals;
 mod status;
 mod table;
+mod verify;
 mod water;
 
 use std::path::{Path, PathBuf};
@@ -40,7 +46,7 @@ pub(crate) enum Code {
     Invalid = 2,
     /// Some frames failed for good; the rest is there.
     FramesFailed = 3,
-    /// Verification found a difference.
+    /// A verification or comparison found a difference.
     Different = 4,
     /// Stopped before the end; the same command goes on.
     Interrupted = 75,
@@ -70,6 +76,10 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Status(status::StatusVerb),
+    Finish(finish::Finish),
+    Verify(verify::Verify),
+    Diff(diff::Diff),
+    Job(job::Job),
     Water(water::WaterVerb),
     Realism(realism::Realism),
     Schema(schema::Schema),
@@ -126,6 +136,10 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
+        Verb::Finish(verb) => verb.run(),
+        Verb::Verify(verb) => verb.run(),
+        Verb::Diff(verb) => verb.run(),
+        Verb::Job(verb) => verb.run(),
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
         Verb::Schema(verb) => verb.run(),

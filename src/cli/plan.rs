@@ -99,7 +99,7 @@ fn explain(out: &mut dyn io::Write, project: &Project, job: &Job) -> anyhow::Res
 fn objects(out: &mut dyn io::Write, project: &Project, job: &Job) -> anyhow::Result<()> {
     let plan = &project.plan;
     let world = World::build(plan.scene_of(job), &project.assets)?;
-    let pose = world.sonar_pose(&plan.header, job);
+    let pose = world.sonar_pose(&plan.header, job)?;
     let [x, y, z, yaw, pitch, roll] = pose_numbers(&pose);
     writeln!(out, "\nsonar at x {x:.2}, y {y:.2}, z {z:.2} m, yaw {yaw:.1}, pitch {pitch:.1}, roll {roll:.1} degrees")?;
     for (number, body) in world.scene().bodies.iter().enumerate() {

@@ -64,7 +64,7 @@ impl Row {
         let plan: &Plan = &project.plan;
         let job = &plan.jobs[id as usize];
         let world = World::build(plan.scene_of(job), &project.assets)?;
-        let frame = Renderer::default().render(header, job, &world);
+        let frame = Renderer::default().render(header, job, &world)?;
         let device = job.sonar.device.as_deref().unwrap_or("sonar");
         let [near, far] = job.sonar.range_m;
         let variant = job.variant.as_ref().map(|id| format!("  {id}")).unwrap_or_default();

@@ -1,11 +1,16 @@
 //! `ensonify status`: how far a dataset is.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
+use indicatif::HumanDuration;
 
 use super::Code;
 use crate::store::Status;
+
+/// Most failed frames listed; `--json` has all.
+const MOST_FAILED: usize = 10;
 
 /// Shows how far a dataset is
 ///
@@ -32,6 +37,20 @@ impl StatusVerb {
         say!("  plan hash    {}", status.plan_hash);
         if let Some(hash) = &status.dataset_hash {
             say!("  dataset hash {hash}");
+        }
+        if status.shards > 1 {
+            say!("  shards       {} journals", status.shards);
+        }
+        if let (Some(rate), Some(left)) = (status.frames_per_s, status.left_s) {
+            say!("  rate         {rate:.1} frames/s, {} left", HumanDuration(Duration::from_secs_f64(left)));
+        }
+        let splits: Vec<String> = status.splits.iter().map(|(split, count)| format!("{split} {count}")).collect();
+        if !splits.is_empty() {
+            say!("  splits       {}", splits.join(", "));
+        }
+        if !status.failed.is_empty() {
+            say!("  failed       {}", status.failed.len());
+            status.failed.iter().take(MOST_FAILED).for_each(|(id, reason)| say!("    {id:>8}  {reason}"));
         }
         for (view, labels) in &status.annotations {
             let total: u64 = labels.values().sum();

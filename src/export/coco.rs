@@ -7,12 +7,12 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use super::Attribution;
 use crate::catalog::Licence;
 use crate::label::View;
-use crate::store::{FrameRecord, ViewRecord, layout};
+use crate::store::{Dataset, ViewRecord, layout};
 
 /// One annotation file: a view of the frames of a split.
 #[derive(Clone, Copy, Debug)]
@@ -29,41 +29,71 @@ pub(crate) struct Coco<'a> {
     pub version: &'a str,
     /// The models in the scenes.
     pub attributions: &'a [Attribution],
-    /// All frames by job id; those of other splits are left out here.
-    pub frames: &'a BTreeMap<u64, FrameRecord>,
+    /// All frames; those of other splits are left out here.
+    pub dataset: &'a Dataset,
 }
 
 /// Writes the file, frame by frame: it is never in memory as a whole.
 ///
 /// # Errors
-/// If `out` cannot be written.
+/// If `out` cannot be written or a record not be read.
 pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
-    let ids = coco.categories.iter().zip(1..).map(|(name, id)| (name.as_str(), id)).collect();
+    let info = Info { description: coco.description, version: coco.version };
+    out.write_all(b"{\"info\":")?;
+    serde_json::to_writer(&mut *out, &info)?;
     let licences = licences(coco.attributions);
-    let file = File {
-        info: Info { description: coco.description, version: coco.version },
-        licenses: List(|| licences.iter().map(|(name, id)| License { id: *id, name, url: Licence::read(name).url() })),
-        assets: List(|| coco.attributions.iter().map(|model| Asset::of(model, &licences))),
-        categories: List(|| categories(coco.categories)),
-        images: List(|| coco.images().map(|(image, _, _)| image)),
-        annotations: List(|| coco.annotations(&ids, &licences)),
-    };
-    serde_json::to_writer(&mut *out, &file)?;
-    out.write_all(b"\n")
+    let listed = licences.iter().map(|(name, id)| License { id: *id, name, url: Licence::read(name).url() });
+    out.write_all(b",\"licenses\":")?;
+    serde_json::to_writer(&mut *out, &listed.collect::<Vec<_>>())?;
+    let assets = coco.attributions.iter().map(|model| Asset::of(model, &licences));
+    out.write_all(b",\"assets\":")?;
+    serde_json::to_writer(&mut *out, &assets.collect::<Vec<_>>())?;
+    out.write_all(b",\"categories\":")?;
+    serde_json::to_writer(&mut *out, &categories(coco.categories).collect::<Vec<_>>())?;
+    let mut images = List::begin(out, "images")?;
+    coco.each_image(&mut |image, _| images.item(&image))?;
+    let mut annotations = List::begin(images.end()?, "annotations")?;
+    let ids: BTreeMap<&str, u64> = coco.categories.iter().zip(1..).map(|(name, id)| (name.as_str(), id)).collect();
+    let of_asset: BTreeMap<&str, u64> =
+        coco.attributions.iter().map(|model| (model.uid.as_str(), licences[model.licence.as_str()])).collect();
+    let mut id = 0;
+    // Looks of a frame have the same annotations.
+    coco.each_image(&mut |image, record| {
+        record.annotations.iter().try_for_each(|annotation| {
+            id += 1;
+            annotations.item(&Annotation {
+                id,
+                image_id: image.id,
+                category_id: *ids
+                    .get(annotation.label.as_str())
+                    .expect("labels are checked before anything is exported"),
+                bbox: annotation.bbox,
+                area: annotation.area,
+                segmentation: Segmentation { size: [record.height, record.width], counts: &annotation.rle },
+                iscrowd: 0,
+                instance: annotation.body,
+                asset: &annotation.asset,
+                license: of_asset.get(annotation.asset.as_str()).copied(),
+            })
+        })
+    })?;
+    annotations.end()?.write_all(b"}\n")
 }
 
-impl<'a> Coco<'a> {
-    /// Every image of this view in this split, with its frame: one for each look.
-    fn images(&self) -> impl Iterator<Item = (Image<'a>, &'a FrameRecord, &'a ViewRecord)> + use<'a> {
-        let (view, split) = (self.view, self.split);
-        let frames = self.frames.values().filter(move |frame| frame.split == split);
-        let seen = frames.filter_map(move |frame| Some((frame, frame.views.get(&view)?)));
-        seen.flat_map(move |(frame, record)| {
+/// A function that is called with each image and what is seen in it.
+type Each<'a> = &'a mut dyn FnMut(Image<'_>, &ViewRecord) -> io::Result<()>;
+
+impl Coco<'_> {
+    /// Calls `each` with every image of this view in this split: one for each look.
+    fn each_image(&self, each: Each<'_>) -> io::Result<()> {
+        for frame in self.dataset.records() {
+            let frame = frame.map_err(io::Error::other)?;
+            let Some(record) = frame.views.get(&self.view).filter(|_| frame.split == self.split) else { continue };
             let looks = frame.looks.len().max(1) as u64;
-            frame.each_look().zip(0..).map(move |(look, number)| {
+            for (look, number) in frame.each_look().zip(0..) {
                 let image = Image {
                     id: frame.id * looks + number + 1,
-                    file_name: layout::image(view, &frame.name, look),
+                    file_name: layout::image(self.view, &frame.name, look),
                     width: record.width,
                     height: record.height,
                     variant: frame.variant.as_deref(),
@@ -71,44 +101,11 @@ impl<'a> Coco<'a> {
                     frame: frame.frame,
                     look,
                 };
-                (image, frame, record)
-            })
-        })
+                each(image, record)?;
+            }
+        }
+        Ok(())
     }
-
-    /// The annotations of [`Self::images`], numbered from 1. Looks of a frame have the same ones.
-    fn annotations(
-        &self,
-        ids: &BTreeMap<&str, u64>,
-        licences: &BTreeMap<&str, u64>,
-    ) -> impl Iterator<Item = Annotation<'a>> {
-        let of_asset: BTreeMap<&str, u64> =
-            self.attributions.iter().map(|model| (model.uid.as_str(), licences[model.licence.as_str()])).collect();
-        let all =
-            self.images().flat_map(|(image, _, record)| record.annotations.iter().map(move |a| (image.id, record, a)));
-        all.zip(1..).map(move |((image_id, record, annotation), id)| Annotation {
-            id,
-            image_id,
-            category_id: *ids.get(annotation.label.as_str()).expect("labels are checked before anything is exported"),
-            bbox: annotation.bbox,
-            area: annotation.area,
-            segmentation: Segmentation { size: [record.height, record.width], counts: &annotation.rle },
-            iscrowd: 0,
-            instance: annotation.body,
-            asset: &annotation.asset,
-            license: of_asset.get(annotation.asset.as_str()).copied(),
-        })
-    }
-}
-
-#[derive(Serialize)]
-struct File<'a, L: Serialize, M: Serialize, C: Serialize, I: Serialize, A: Serialize> {
-    info: Info<'a>,
-    licenses: L,
-    assets: M,
-    categories: C,
-    images: I,
-    annotations: A,
 }
 
 #[derive(Serialize)]
@@ -193,12 +190,28 @@ struct Segmentation<'a> {
     counts: &'a str,
 }
 
-/// A list that is serialised while it is made.
-struct List<F>(F);
+/// A list of a JSON object, written item by item.
+struct List<'a> {
+    out: &'a mut dyn Write,
+    is_first: bool,
+}
 
-impl<T: Serialize, I: Iterator<Item = T>, F: Fn() -> I> Serialize for List<F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0())
+impl<'a> List<'a> {
+    fn begin(out: &'a mut dyn Write, name: &str) -> io::Result<Self> {
+        write!(out, ",\"{name}\":[")?;
+        Ok(Self { out, is_first: true })
+    }
+
+    fn item(&mut self, item: &impl Serialize) -> io::Result<()> {
+        if !std::mem::take(&mut self.is_first) {
+            self.out.write_all(b",")?;
+        }
+        Ok(serde_json::to_writer(&mut *self.out, item)?)
+    }
+
+    fn end(self) -> io::Result<&'a mut dyn Write> {
+        self.out.write_all(b"]")?;
+        Ok(self.out)
     }
 }
 

@@ -7,4 +7,4 @@ pub mod coco;
 pub mod finish;
 mod frames;
 
-pub use finish::{Attribution, FinishError, FinishInput, finish};
+pub use finish::{Attribution, Extent, FinishError, FinishInput, finish};

@@ -12,6 +12,7 @@ use crate::catalog::{Asset, Catalog, CatalogError, materials};
 use crate::math::rng::Stream;
 use crate::recipe::{self, Address, Draws, Level, Recipe, Variant};
 use crate::scene::{AssetCache, BodySpec, EnvironmentSpec, Labels, SceneError, SceneSpec};
+use crate::vehicle::Trajectory;
 
 /// Compiles a recipe. `stem` names the dataset where the recipe does not; `recipe_dir` is where relative paths begin.
 ///
@@ -106,6 +107,7 @@ impl<'a> Compiler<'a> {
                 let address = self.address(index, Level::Frame(frame));
                 let shared = self.sections.lets.draw(&address)?;
                 let sections = self.sections.frame(&Turn { address, shared: &shared, corner: None })?;
+                self.poses(&sections.trajectory, plan)?;
                 plan.jobs.push(Job {
                     id: plan.jobs.len() as u64,
                     variant: self.variant.as_ref().map(|variant| variant.id.clone()),
@@ -114,6 +116,7 @@ impl<'a> Compiler<'a> {
                     split,
                     sonar: sections.sonar,
                     looks: sections.looks,
+                    vehicle: sections.vehicle,
                     trajectory: sections.trajectory,
                     drawn: sections.drawn,
                 });
@@ -256,7 +259,21 @@ impl<'a> Compiler<'a> {
             SceneError::Body { body, problem, .. } => self.refuse(&format!("objects[{}].pose", items[body]), &problem),
             SceneError::Catalog(fault) => self.refuse("objects", &fault),
             SceneError::TooManyBodies { .. } => self.refuse("objects", &fault),
+            SceneError::Track(fault) => self.refuse("trajectory.poses.file", &fault),
         })
+    }
+
+    /// Reads and pins the file of poses that a trajectory takes.
+    fn poses(&self, trajectory: &Trajectory, plan: &mut Plan) -> Result<(), PlanError> {
+        let Trajectory::Poses(poses) = trajectory else { return Ok(()) };
+        let place = "trajectory.poses.file";
+        let track = self.assets.tracks().get(&poses.file).map_err(|fault| self.refuse(place, &fault))?;
+        let (rows, least) = (track.rows(), poses.least_rows(plan.header.frames));
+        if rows < least {
+            let fault = format!("{} has too few rows, {rows} of {least}; add rows or ask for fewer frames", poses.file);
+            return Err(self.refuse(place, &fault));
+        }
+        self.lock("trajectory", &poses.file, &mut plan.assets).map_err(|error| self.refuse(place, &error))
     }
 
     /// Pins a file that is no model of a catalog.

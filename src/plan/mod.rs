@@ -34,7 +34,7 @@ use crate::physics::TurbidWater;
 use crate::recipe::Draws;
 use crate::scene::SceneSpec;
 use crate::sonar::Sonar;
-use crate::vehicle::Trajectory;
+use crate::vehicle::{Trajectory, Vehicle};
 
 /// Every job of a dataset, with every drawn value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -124,6 +124,8 @@ pub struct Job {
     pub sonar: Sonar,
     /// Pictures of the same echoes, at least one.
     pub looks: Vec<Look>,
+    /// What holds of the vehicle on any way.
+    pub vehicle: Vehicle,
     /// Where the vehicle goes.
     pub trajectory: Trajectory,
     /// What was drawn for this frame, by path, its scene's draws not repeated.

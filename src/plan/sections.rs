@@ -12,10 +12,10 @@ use crate::label::LabelSettings;
 use crate::recipe::{self, Address, Corner, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, Multipath, PoseSpec, SeabedSpec};
 use crate::sonar::Sonar;
-use crate::vehicle::Trajectory;
+use crate::vehicle::{Trajectory, Vehicle};
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
     "ensonify",
     "name",
     "seed",
@@ -28,6 +28,7 @@ const KEYS: [&str; 20] = [
     "multipath",
     "objects",
     "licences",
+    "vehicle",
     "trajectory",
     "image",
     "looks",
@@ -39,8 +40,8 @@ const KEYS: [&str; 20] = [
 ];
 
 /// Sections that a sweep may vary: what differs from scene to scene or frame to frame.
-pub(super) const SWEPT: [&str; 9] =
-    ["let", "sonar", "water", "seabed", "environment", "multipath", "objects", "trajectory", "image"];
+pub(super) const SWEPT: [&str; 10] =
+    ["let", "sonar", "water", "seabed", "environment", "multipath", "objects", "vehicle", "trajectory", "image"];
 
 /// Keys and sections that are the same for all frames.
 const CONSTANT: [&str; 8] = ["name", "seed", "scenes", "frames", "licences", "labels", "splits", "output"];
@@ -118,6 +119,7 @@ pub(super) struct World {
 pub(super) struct FrameSections {
     pub sonar: Sonar,
     pub looks: Vec<Look>,
+    pub vehicle: Vehicle,
     pub trajectory: Trajectory,
     pub drawn: Draws,
 }
@@ -133,7 +135,7 @@ impl Sections {
         }
         let seed: u64 = tree.section("seed")?.unwrap_or_default();
         let check = Checker { tree: &tree, lets: &lets, seed };
-        for section in ["sonar", "water", "image", "trajectory"] {
+        for section in ["sonar", "water", "image", "vehicle", "trajectory"] {
             check.distributions(section, Level::Frame(0))?;
         }
         for section in ["seabed", "environment", "multipath"] {
@@ -199,13 +201,11 @@ impl Sections {
         let sonar = self.sonar(turn, &mut drawn)?;
         let looks = self.looks.iter().map(|look| look.draw(turn, &mut drawn)).collect::<Result<_, _>>()?;
         let trajectory: Trajectory = self.present("trajectory", turn, &mut drawn)?;
-        trajectory.check().map_err(|fault| {
-            let kind = self.tree.at("trajectory").and_then(|node| node.entries().first()).map(|(key, _)| &*key.text);
-            let path = format!("trajectory.{}.{}", kind.unwrap_or_default(), fault.name);
-            let message = format!("{} is not {}", fault.value, fault.range);
-            self.tree.reject(&path, &message, &format!("write a number that is {}", fault.range))
-        })?;
-        Ok(FrameSections { sonar, looks, trajectory, drawn })
+        let section = format!("trajectory.{}", trajectory.kind());
+        trajectory.check().map_err(|fault| looks::impossible(&self.tree, &section, &fault))?;
+        let vehicle: Vehicle = self.present("vehicle", turn, &mut drawn)?;
+        vehicle.validate().map_err(|fault| looks::impossible(&self.tree, "vehicle", &fault))?;
+        Ok(FrameSections { sonar, looks, vehicle, trajectory, drawn })
     }
 
     /// The sonar: the user's keys over the device's over the defaults.

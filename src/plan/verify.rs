@@ -11,6 +11,7 @@ use crate::catalog::{CatalogError, materials};
 use crate::math::Impossible;
 use crate::recipe::MAX_VARIANTS;
 use crate::scene::{AssetCache, SceneError, SceneSpec};
+use crate::vehicle::Trajectory;
 
 /// What to do about numbers that contradict each other.
 const AS_WRITTEN: &str = "plans count as `ensonify plan RECIPE --json` writes them";
@@ -41,6 +42,7 @@ impl Verifier<'_> {
         }
         for (number, job) in plan.jobs.iter().enumerate() {
             self.job(&plan, number, job)?;
+            self.poses(&plan, number, job, &mut used)?;
         }
         plan.assets = used;
         Ok(plan)
@@ -90,7 +92,7 @@ impl Verifier<'_> {
             SceneError::Environment(_) => self.message(&at("spec.environment"), &fault),
             SceneError::Body { body, problem, .. } => self.message(&at(&format!("spec.bodies[{body}].pose")), problem),
             SceneError::Catalog(problem) => self.unusable(&at("spec"), problem),
-            SceneError::TooManyBodies { .. } => self.message(&at("spec"), &fault),
+            SceneError::TooManyBodies { .. } | SceneError::Track(_) => self.message(&at("spec"), &fault),
         })
     }
 
@@ -132,6 +134,34 @@ impl Verifier<'_> {
         Ok(())
     }
 
+    /// Reads the file of poses that a job takes and holds it against the plan's hash.
+    fn poses(
+        &self,
+        plan: &Plan,
+        number: usize,
+        job: &Job,
+        used: &mut BTreeMap<String, AssetLock>,
+    ) -> Result<(), PlanFault> {
+        let Trajectory::Poses(poses) = &job.trajectory else { return Ok(()) };
+        let place = format!("jobs[{number}].trajectory.poses.file");
+        let track = self.assets.tracks().get(&poses.file).map_err(|fault| self.message(&place, &fault))?;
+        let (rows, least) = (track.rows(), poses.least_rows(plan.header.frames));
+        if rows < least {
+            let problem = format!("{} has too few rows, {rows} of {least}", poses.file);
+            return Err(self.fault(&place, problem, "add rows or ask for fewer frames"));
+        }
+        let key = format!("trajectory/{}", poses.file);
+        if used.contains_key(&key) {
+            return Ok(());
+        }
+        let path = self.folder.join(&poses.file);
+        let found =
+            AssetLock::of_file(self.folder, &poses.file).map_err(|error| self.unreadable(&place, &path, &error))?;
+        let lock = self.held(plan, &key, found)?;
+        used.insert(key, lock);
+        Ok(())
+    }
+
     /// The plan's own word about a file, if it has one and the file is still the same.
     fn held(&self, plan: &Plan, key: &str, found: AssetLock) -> Result<AssetLock, PlanFault> {
         let Some(planned) = plan.assets.get(key) else { return Ok(found) };
@@ -155,7 +185,9 @@ impl Verifier<'_> {
         self.same(&at("frame"), &job.frame, &(number as u64 % plan.header.frames))?;
         self.same(&at("split"), &job.split, &scene.split)?;
         job.sonar.validate().map_err(|fault| self.impossible(&at("sonar"), &fault))?;
-        job.trajectory.check().map_err(|fault| self.message(&at("trajectory"), &fault))?;
+        job.vehicle.validate().map_err(|fault| self.impossible(&at("vehicle"), &fault))?;
+        let section = at(&format!("trajectory.{}", job.trajectory.kind()));
+        job.trajectory.check().map_err(|fault| self.impossible(&section, &fault))?;
         self.looks(plan, number, job)?;
         for (i, look) in job.looks.iter().enumerate() {
             let at = |section: &str| at(&format!("looks[{i}].{section}"));

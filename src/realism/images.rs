@@ -11,7 +11,7 @@ use super::RealismError;
 use super::geometry::FanGeometry;
 use crate::label::View;
 use crate::sonar::{FanMap, Grid};
-use crate::store::{FrameRecord, Status, journal, layout};
+use crate::store::{Dataset, layout};
 
 /// What a plain folder does not tell of itself. A dataset needs none of it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -83,14 +83,12 @@ impl Source {
 
     /// Finished frames of a dataset, finished or not.
     fn dataset(root: &Path) -> Result<Self, RealismError> {
-        // Refuses a manifest of another format.
-        Status::read(root)?;
+        let dataset = Dataset::open(root)?;
         let plan = PlanShapes::read(root)?;
-        let records: BTreeMap<u64, FrameRecord> =
-            journal::read(root)?.records.into_iter().map(|record| (record.id, record)).collect();
         let (mut shapes, mut grids) = (Vec::new(), Vec::<Grid>::new());
         let mut frames = Vec::new();
-        for record in records.values() {
+        for record in dataset.records() {
+            let record = record?;
             let (Some(fan), Some(job)) = (record.views.get(&View::Fan), plan.jobs.get(record.id as usize)) else {
                 continue;
             };

@@ -120,7 +120,7 @@ fn scope(distribution: &Distribution<'_>, path: &str, level: Level) -> Result<Sc
     }
 }
 
-const FRAME_HELP: &str = "leave out `per`; `per: frame` is possible in sonar, water, image and trajectory";
+const FRAME_HELP: &str = "leave out `per`; `per: frame` is possible in sonar, water, image, vehicle and trajectory";
 
 struct Pen<'c> {
     address: Address,

@@ -38,12 +38,25 @@ pub(super) fn of_frame(plan: &Plan, job: &Job, world: &World, frame: Frame) -> (
         frame: job.frame,
         split: job.split.name().to_owned(),
         pose: pose_numbers(&frame.world_from_sonar),
+        time_s: frame.time_s,
+        moved_m: frame.moved_m,
         values,
         looks: job.looks.iter().filter_map(|look| look.name.clone()).collect(),
         views,
         files: Vec::new(),
     };
     (record, files)
+}
+
+/// What finishing needs beside the frames' records, as the store keeps it.
+///
+/// # Panics
+/// Never: it is plain data.
+#[must_use]
+pub fn finish_facts(project: &Project) -> Vec<u8> {
+    let mut text = serde_json::to_vec_pretty(&finish_input(project)).expect("plain data");
+    text.push(b'\n');
+    text
 }
 
 /// What annotations, card and attributions say beside the frames.

@@ -8,6 +8,7 @@ use crate::math::rng::Stream;
 use crate::plan::{Header, Job, Look, Raw};
 use crate::sonar::{Echoes, FanMap, Grid, Keep, Tracer};
 use crate::store::exr::RawImage;
+use crate::vehicle::{Station, TrackError};
 
 use super::world::World;
 
@@ -16,6 +17,10 @@ use super::world::World;
 pub struct Frame {
     /// Where the sonar was.
     pub world_from_sonar: Pose,
+    /// When, seconds.
+    pub time_s: f64,
+    /// How far the vehicle was moved to keep clear, metres.
+    pub moved_m: f64,
     /// The views asked for, in their order.
     pub pictures: Vec<Picture>,
     /// Linear values, where asked for.
@@ -42,8 +47,12 @@ pub struct Renderer {
 
 impl Renderer {
     /// Renders a job in its world.
-    pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Frame {
-        let world_from_sonar = world.sonar_pose(header, job);
+    ///
+    /// # Errors
+    /// If the job's poses are in a file that cannot be read any more.
+    pub fn render(&mut self, header: &Header, job: &Job, world: &World) -> Result<Frame, TrackError> {
+        let Station { pose, time_s, moved_m } = world.station(header, job)?;
+        let world_from_sonar = pose.then_inner(&job.sonar.mount.pose());
         // Looks that average over rays may sort them by one range or the other: a second trace serves the second kind.
         let first = job.looks.iter().find_map(|look| look.image.rays());
         let second = job.looks.iter().filter_map(|look| look.image.rays()).find(|range| Some(*range) != first);
@@ -80,7 +89,7 @@ impl Renderer {
         };
         let pictures: Vec<Picture> = header.output.views.iter().map(view).collect();
         let raw = echoes.detail.is_some().then(|| raw(&echoes, header, job, &stream()));
-        Frame { world_from_sonar, pictures, raw }
+        Ok(Frame { world_from_sonar, time_s, moved_m, pictures, raw })
     }
 
     fn tracer(&mut self, job: &Job) -> &mut Tracer {

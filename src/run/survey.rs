@@ -15,7 +15,10 @@ use crate::math::real::{asin, atan2, cos, radians, sin};
 use crate::plan::{Header, Job};
 use crate::scene::{Body, SceneError};
 use crate::sonar::{Bearing, Sonar};
+use crate::vehicle::Station;
 
+/// Shortest way that a frame is said to be moved, metres.
+const NOTICEABLE_M: f64 = 1e-3;
 /// Scenes that are looked at, at most.
 const MOST_SCENES: u64 = 12;
 /// No scene is begun later than this.
@@ -24,6 +27,10 @@ const LONGEST: Duration = Duration::from_millis(900);
 /// What was found.
 #[derive(Clone, Debug, Default)]
 pub struct Survey {
+    /// Frames that are moved to keep clear of bottom, objects and structures.
+    pub moved: u64,
+    /// The longest way of one of them, metres.
+    pub farthest_moved_m: f64,
     /// Scenes that were looked at, spread over the plan.
     pub scenes: u64,
     /// Their frames.
@@ -91,15 +98,20 @@ fn of_scene(project: &Project, number: usize) -> Result<Survey, SceneError> {
     let mut found = Survey { scenes: 1, building_s, dropped, ..Survey::default() };
     let first = number * plan.header.frames as usize;
     for job in &plan.jobs[first..first + plan.header.frames as usize] {
-        found.look(&plan.header, job, &world);
+        found.look(&plan.header, job, &world)?;
     }
     Ok(found)
 }
 
 impl Survey {
-    fn look(&mut self, header: &Header, job: &Job, world: &World) {
-        let pose = world.sonar_pose(header, job);
+    fn look(&mut self, header: &Header, job: &Job, world: &World) -> Result<(), SceneError> {
+        let Station { pose, moved_m, .. } = world.station(header, job)?;
+        let pose = pose.then_inner(&job.sonar.mount.pose());
         self.frames += 1;
+        if moved_m > NOTICEABLE_M {
+            self.moved += 1;
+            self.farthest_moved_m = self.farthest_moved_m.max(moved_m);
+        }
         let bodies = &world.scene().bodies;
         let mut any = bodies.is_empty();
         for body in bodies {
@@ -115,6 +127,7 @@ impl Survey {
             self.groundless += 1;
             self.first_groundless.get_or_insert([height, slant]);
         }
+        Ok(())
     }
 
     fn with(mut self, other: Self) -> Self {
@@ -122,6 +135,8 @@ impl Survey {
         self.frames += other.frames;
         self.building_s += other.building_s;
         self.empty += other.empty;
+        self.moved += other.moved;
+        self.farthest_moved_m = self.farthest_moved_m.max(other.farthest_moved_m);
         self.groundless += other.groundless;
         self.first_groundless = self.first_groundless.or(other.first_groundless);
         self.dropped.extend(other.dropped);

@@ -38,7 +38,7 @@ pub fn trial(project: &Project) -> Result<Trial, SceneError> {
         let job = &plan.jobs[id as usize];
         let world = World::build(plan.scene_of(job), &project.assets)?;
         let started = Instant::now();
-        let frame = renderer.render(&plan.header, job, &world);
+        let frame = renderer.render(&plan.header, job, &world)?;
         let (record, new_files) = files::of_frame(plan, job, &world, frame);
         seconds.push(started.elapsed().as_secs_f64());
         // A frame's record stands in the journal, most of it once more in the annotations.

@@ -113,6 +113,16 @@ pub fn of_survey(survey: &Survey) -> Vec<Warning> {
             ),
         );
     }
+    if survey.moved > 0 {
+        let (moved, of, farthest) = (survey.moved, survey.frames, survey.farthest_moved_m);
+        add(
+            "moved",
+            format!(
+                "{moved} of {of} frames are moved, by up to {farthest:.2} m, to keep clear of bottom, objects and structures; \
+                 change the trajectory, or `vehicle: {{clear_m: …}}`"
+            ),
+        );
+    }
     match &survey.dropped[..] {
         [] => {}
         [only] => add("dropped", format!("{only}; let it lie in a larger `within_m`")),

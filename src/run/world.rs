@@ -9,8 +9,8 @@ use crate::math::Pose;
 use crate::math::rng::Stream;
 use crate::plan::{Header, Job, Plan, ScenePlan};
 use crate::scene::bvh::Bvh;
-use crate::scene::{AssetCache, Built, Scene, SceneError, build};
-use crate::vehicle::{FrameOfRun, Surroundings, Target};
+use crate::scene::{AssetCache, Built, Scene, SceneError, Tracks, build};
+use crate::vehicle::{FrameOfRun, Station, Surroundings, Target, TrackError, Voyage};
 
 /// A scene ready to be looked at.
 pub struct World {
@@ -19,6 +19,7 @@ pub struct World {
     targets: Vec<Target>,
     /// Of everything but the seabed, whose grid knows its own lines of sight. Built on the first question about one.
     sight: OnceLock<Bvh>,
+    tracks: Tracks,
 }
 
 impl World {
@@ -31,7 +32,7 @@ impl World {
         let built = build(&scene.spec, assets, seed, scene.index)?;
         let bodies = &built.scene.bodies;
         let targets = bodies.iter().map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
-        Ok(Self { built, seed, targets, sight: OnceLock::new() })
+        Ok(Self { built, seed, targets, sight: OnceLock::new(), tracks: assets.tracks().clone() })
     }
 
     /// The geometry.
@@ -52,29 +53,61 @@ impl World {
         self.seed
     }
 
-    /// world_from_sonar of a job.
-    #[must_use]
-    pub fn sonar_pose(&self, header: &Header, job: &Job) -> Pose {
-        let mount = job.sonar.mount.pose();
-        let around = Surroundings {
-            ground: &|x, y| self.built.ground.height(x, y),
-            targets: &self.targets,
-            clear: &|from: DVec3, to: DVec3| self.is_clear(from, to),
-            mount: &mount,
+    /// Where the vehicle of a job is, and when.
+    ///
+    /// # Errors
+    /// If the job's poses are in a file that cannot be read.
+    pub fn station(&self, header: &Header, job: &Job) -> Result<Station, TrackError> {
+        let track = job.trajectory.file().map(|file| self.tracks.get(file)).transpose()?;
+        let voyage = Voyage {
+            frame: FrameOfRun { index: job.frame, count: header.frames },
+            vehicle: &job.vehicle,
+            mount: &job.sonar.mount.pose(),
+            around: self,
+            scene_stream: &|purpose| Stream::at(self.seed, "scene", job.scene, purpose),
+            track: track.as_deref(),
         };
-        let frame = FrameOfRun { index: job.frame, count: header.frames };
         let mut stream = Stream::at(self.seed, "frame", header.number_in_variant(job.scene, job.frame), "trajectory");
-        job.trajectory.pose(frame, &around, &mut stream).then_inner(&mount)
+        Ok(job.trajectory.station(&voyage, &mut stream))
     }
 
-    /// Whether nothing stands between two points.
-    fn is_clear(&self, from: DVec3, to: DVec3) -> bool {
+    /// world_from_sonar of a job.
+    ///
+    /// # Errors
+    /// As [`World::station`].
+    pub fn sonar_pose(&self, header: &Header, job: &Job) -> Result<Pose, TrackError> {
+        Ok(self.station(header, job)?.pose.then_inner(&job.sonar.mount.pose()))
+    }
+
+    /// Everything but the seabed.
+    fn things(&self) -> &Bvh {
         let Built { scene, ground, .. } = &self.built;
         // The seabed comes first among the instances.
-        let beside = || scene.instances.iter().skip(usize::from(ground.seabed.is_some()));
-        let sight = || Bvh::of(beside().map(|instance| (&*instance.mesh, instance.world_from_mesh)));
-        ground.seabed.as_ref().is_none_or(|grid| grid.is_clear(from, to))
-            && self.sight.get_or_init(sight).is_clear(from, to)
+        let beside = scene.instances.iter().skip(usize::from(ground.seabed.is_some()));
+        self.sight.get_or_init(|| Bvh::of(beside.map(|instance| (&*instance.mesh, instance.world_from_mesh))))
+    }
+}
+
+impl Surroundings for World {
+    fn ground(&self, x: f64, y: f64) -> f64 {
+        self.built.ground.height(x, y)
+    }
+
+    fn targets(&self) -> &[Target] {
+        &self.targets
+    }
+
+    fn sees(&self, from: DVec3, to: DVec3) -> bool {
+        let seabed = &self.built.ground.seabed;
+        seabed.as_ref().is_none_or(|grid| grid.is_clear(from, to)) && self.things().is_clear(from, to)
+    }
+
+    fn floor(&self, point: DVec3) -> f64 {
+        self.built.ground.floor(point)
+    }
+
+    fn gap(&self, point: DVec3, within: f64) -> f64 {
+        self.things().gap(point, within)
     }
 }
 

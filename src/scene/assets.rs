@@ -8,6 +8,7 @@ use super::environment::{Environment, EnvironmentSpec};
 use super::mesh::Mesh;
 use super::seabed::{Raster, SeabedError};
 use crate::catalog::{Asset, Catalog, CatalogError, Pick, find_catalog};
+use crate::vehicle::{Track, TrackError};
 
 /// A model of a catalog as a mesh: the middle of its base at the origin, metres.
 #[derive(Debug)]
@@ -18,7 +19,7 @@ pub struct Solid {
     pub materials: Vec<String>,
 }
 
-/// What scenes are built from.
+/// What scenes are built from, and files of poses beside it.
 #[derive(Debug)]
 pub struct AssetCache {
     recipe_dir: PathBuf,
@@ -27,6 +28,14 @@ pub struct AssetCache {
     solids: Slots<(String, String), Solid>,
     environments: Slots<(String, String, String), Environment>,
     rasters: Slots<String, Raster>,
+    tracks: Tracks,
+}
+
+/// Files of poses, each read once; a copy shares what was read.
+#[derive(Clone, Debug)]
+pub struct Tracks {
+    recipe_dir: PathBuf,
+    slots: Arc<Slots<String, Track>>,
 }
 
 impl AssetCache {
@@ -40,6 +49,7 @@ impl AssetCache {
             solids: Slots::default(),
             environments: Slots::default(),
             rasters: Slots::default(),
+            tracks: Tracks { recipe_dir: recipe_dir.to_path_buf(), slots: Arc::default() },
         }
     }
 
@@ -88,6 +98,22 @@ impl AssetCache {
     /// If the file is missing or odd.
     pub fn raster(&self, file: &str) -> Result<Arc<Raster>, SeabedError> {
         self.rasters.get(file.into(), || Raster::load(&self.recipe_dir.join(file)))
+    }
+
+    /// The files of poses.
+    #[must_use]
+    pub fn tracks(&self) -> &Tracks {
+        &self.tracks
+    }
+}
+
+impl Tracks {
+    /// The poses in a file, which is found from the recipe's folder.
+    ///
+    /// # Errors
+    /// If the file is missing or odd.
+    pub fn get(&self, file: &str) -> Result<Arc<Track>, TrackError> {
+        self.slots.get(file.into(), || Track::load(&self.recipe_dir.join(file)))
     }
 }
 

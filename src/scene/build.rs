@@ -90,6 +90,9 @@ pub enum SceneError {
     /// A generated environment.
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
+    /// A file of poses.
+    #[error(transparent)]
+    Track(#[from] crate::vehicle::TrackError),
     /// An object.
     #[error("bodies[{body}] ({label}): {problem}")]
     Body {

@@ -5,12 +5,14 @@
 
 use std::time::Duration;
 
-use glam::{DAffine3, DVec3, Vec3A};
-use obvhs::BvhBuildParams;
+use glam::{DAffine3, DVec3, UVec2, Vec3A};
+use obvhs::aabb::Aabb;
 use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
+use obvhs::cwbvh::node::CwBvhNode;
 use obvhs::ray::{Ray, RayHit};
 use obvhs::triangle::Triangle;
+use obvhs::{BvhBuildParams, traverse};
 
 use super::{Mesh, Scene};
 
@@ -99,12 +101,98 @@ impl Bvh {
         let hit = self.closest(DVec3::new(x, y, top), DVec3::NEG_Z, top - bottom)?;
         Some(top - hit.distance)
     }
+
+    /// Height of the first surface below a point, metres.
+    #[must_use]
+    pub fn below(&self, point: DVec3) -> Option<f64> {
+        let reach = point.z - f64::from(self.tree.as_ref()?.total_aabb.min.z) + 1.0;
+        let hit = self.closest(point, DVec3::NEG_Z, reach)?;
+        Some(point.z - hit.distance)
+    }
+
+    /// Distance from a point to the nearest triangle, at most `within`, metres; 0 in a closed solid.
+    #[must_use]
+    pub fn gap(&self, point: DVec3, within: f64) -> f64 {
+        let Some(tree) = &self.tree else { return within };
+        // A little more than asked for, so that rounding to 32 bits leaves nothing out.
+        let reach = Vec3A::splat(within as f32 * 1.001 + 1e-3);
+        let about = Aabb::new(vec3a(point) - reach, vec3a(point) + reach);
+        if !about.intersect_aabb(&tree.total_aabb) {
+            return within;
+        }
+        let mut nearest = within;
+        let mut state = tree.new_traversal(Vec3A::Z);
+        let mut node: &CwBvhNode;
+        traverse!(tree, node, state, node.intersect_aabb(&about, state.oct_inv4), {
+            let triangle = &self.triangles[tree.primitive_indices[state.primitive_id as usize] as usize];
+            nearest = nearest.min(distance_to(triangle, point));
+        });
+        if nearest > 0.0 && self.is_inside(point) { 0.0 } else { nearest }
+    }
+
+    /// Whether a point lies in a closed solid whose triangles turn their fronts outwards: whichever way one goes, one
+    /// leaves more surfaces than one enters. Rooms that are seen from within and single sheets are no solids.
+    fn is_inside(&self, point: DVec3) -> bool {
+        // Odd directions, so that they hardly meet edges and corners; they need not be of length 1 to the last bit.
+        const WAYS: [DVec3; 3] = [
+            DVec3::new(0.0113, 0.0071, 0.999_911),
+            DVec3::new(0.8019, 0.5970, 0.0237),
+            DVec3::new(-0.5313, 0.8459, 0.0471),
+        ];
+        WAYS.iter().all(|&way| self.left_over(point, way) > 0)
+    }
+
+    /// Surfaces that a ray leaves less those that it enters.
+    fn left_over(&self, point: DVec3, way: DVec3) -> i32 {
+        const STEP_M: f64 = 1e-3;
+        const MOST: u32 = 256;
+        let Some(tree) = &self.tree else { return 0 };
+        let reach = f64::from(tree.total_aabb.diagonal().length()) + 1.0;
+        let (mut from, mut left) = (point, 0);
+        for _ in 0..MOST {
+            let Some(hit) = self.closest(from, way, reach) else { break };
+            let triangle = &self.triangles[(self.starts[hit.instance as usize] + hit.triangle) as usize];
+            left += if normal(triangle).dot(way) > 0.0 { 1 } else { -1 };
+            from += way * (hit.distance + STEP_M);
+        }
+        left
+    }
+}
+
+/// Twice the area, towards the front.
+fn normal(triangle: &Triangle) -> DVec3 {
+    let [a, b, c] = corners(triangle);
+    (b - a).cross(c - a)
+}
+
+fn corners(triangle: &Triangle) -> [DVec3; 3] {
+    [triangle.v0, triangle.v1, triangle.v2].map(|v| v.as_dvec3())
+}
+
+/// Distance from a point to a triangle, metres.
+///
+/// Source: Ericson (2005), Real-time collision detection, section 5.1.5.
+fn distance_to(triangle: &Triangle, point: DVec3) -> f64 {
+    let [a, b, c] = corners(triangle);
+    let across = (b - a).cross(c - a);
+    // Within the prism over the triangle the plane is nearest, else one of the sides.
+    let over = |from: DVec3, to: DVec3| across.cross(to - from).dot(point - from) >= 0.0;
+    let area = across.length();
+    if area > 0.0 && over(a, b) && over(b, c) && over(c, a) {
+        return across.dot(point - a).abs() / area;
+    }
+    let to_side = |from: DVec3, to: DVec3| {
+        let side = to - from;
+        let square = side.length_squared();
+        let share = if square > 0.0 { ((point - from).dot(side) / square).clamp(0.0, 1.0) } else { 0.0 };
+        (point - from - side * share).length()
+    };
+    to_side(a, b).min(to_side(b, c)).min(to_side(c, a))
 }
 
 /// Where a ray meets a triangle's plane, metres: finer than the tree's 32 bits and the same on every machine.
 fn plane_distance(triangle: &Triangle, origin: DVec3, direction: DVec3) -> Option<f64> {
-    let [a, b, c] = [triangle.v0, triangle.v1, triangle.v2].map(|v| v.as_dvec3());
-    let normal = (b - a).cross(c - a);
+    let (a, normal) = (triangle.v0.as_dvec3(), normal(triangle));
     let towards = normal.dot(direction);
     (towards.abs() > 1e-6 * normal.length()).then(|| normal.dot(a - origin) / towards)
 }
@@ -148,5 +236,50 @@ mod tests {
         assert!(!bvh.is_clear(above, below));
         assert!(bvh.is_clear(above, DVec3::new(0.2, 0.1, 0.0)), "a point on the surface is seen");
         assert!(Bvh::of([]).is_clear(above, below));
+    }
+
+    /// A closed box from −half to half, its faces outwards.
+    fn cuboid(half: Vec3) -> Mesh {
+        let corner = |k: u32| half * Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2 & 1) as f32) * 2.0 - half;
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        Mesh::from_parts(&[Part { positions: (0..8).map(corner).collect(), triangles, ..Part::default() }])
+    }
+
+    #[test]
+    fn a_gap_is_the_distance_to_a_box_and_nothing_within() {
+        let (half, at) = (DVec3::new(2.0, 1.0, 0.5), DVec3::new(7.0, -3.0, 1.0));
+        let mesh = cuboid(half.as_vec3());
+        let bvh = Bvh::of([(&mesh, DAffine3::from_translation(at))]);
+        let mut stream = crate::math::rng::Stream::at(1, "test", 0, "gap");
+        let (mut within, mut near) = (0, 0);
+        for _ in 0..4000 {
+            let p = DVec3::from_array([6.0, 4.0, 3.0].map(|reach| stream.uniform(-reach, reach)));
+            let outside = (p.abs() - half).max(DVec3::ZERO).length();
+            let gap = bvh.gap(p + at, 1.5);
+            assert!((gap - outside.min(1.5)).abs() < 1e-6, "{p}: {gap} for {outside}");
+            within += u32::from(outside == 0.0);
+            near += u32::from(outside > 0.0 && outside < 1.5);
+        }
+        assert!(within > 30 && near > 500, "{within} {near}");
+        assert_eq!(Bvh::of([]).gap(at, 0.3), 0.3);
+    }
+
+    #[test]
+    fn two_solids_in_one_another_are_solid_and_sheets_are_not() {
+        let (large, small) = (cuboid(Vec3::splat(2.0)), cuboid(Vec3::splat(1.0)));
+        let both = Bvh::of([(&large, DAffine3::IDENTITY), (&small, DAffine3::IDENTITY)]);
+        assert_eq!(both.gap(DVec3::new(0.1, 0.2, 0.05), 0.3), 0.0);
+        assert_eq!(both.gap(DVec3::new(1.5, 0.2, 0.05), 0.3), 0.0);
+        let sheet = Bvh::of([(&square(1.0), DAffine3::IDENTITY)]);
+        for z in [0.0, 2.0] {
+            assert_eq!(sheet.gap(DVec3::new(0.1, 0.2, z), 0.3), 0.3);
+        }
+        assert!((sheet.gap(DVec3::new(0.1, 0.2, 0.8), 0.3) - 0.2).abs() < 1e-7);
+        assert_eq!(sheet.below(DVec3::new(0.1, 0.2, 3.0)), Some(1.0));
+        assert_eq!(sheet.below(DVec3::new(0.1, 0.2, 0.5)), None);
+        // A room is seen from within: its faces point there.
+        let mirrored = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+        assert_eq!(Bvh::of([(&large, mirrored)]).gap(DVec3::new(0.1, 0.2, 0.05), 0.3), 0.3);
     }
 }

@@ -32,6 +32,18 @@ impl Ground {
         }
     }
 
+    /// Height of the bottom that nothing at a point may be below, metres: the seabed, however much is built over it; without
+    /// one the surface of the environment under the point, or the highest where there is none under it.
+    #[must_use]
+    pub fn floor(&self, point: DVec3) -> f64 {
+        if let Some(grid) = &self.seabed {
+            return grid.height(point.x, point.y);
+        }
+        let highest = self.height(point.x, point.y);
+        let below = |world: &Arc<Environment>| world.bvh().below(point);
+        if point.z >= highest { highest } else { self.environment.as_ref().and_then(below).unwrap_or(highest) }
+    }
+
     /// Upward normal at a point of the world, from the slope over ten centimetres.
     #[must_use]
     pub fn normal(&self, x: f64, y: f64) -> DVec3 {

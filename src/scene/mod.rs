@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-pub use assets::AssetCache;
+pub use assets::{AssetCache, Tracks};
 pub use build::{BodySpec, Built, Dropped, SceneError, SceneSpec, asset_name, build};
 pub use bvh::{Bvh, Hit};
 pub use environment::{EnvironmentError, EnvironmentSpec, Kind, Labels};

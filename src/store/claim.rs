@@ -6,9 +6,6 @@ use std::path::Path;
 
 use super::{StoreError, layout};
 
-/// Written and deleted to see whether that is possible.
-const PROBE: &str = "probe.tmp";
-
 /// Refuses a path that is a file, and a folder with other things in it.
 pub(super) fn refuse_foreign(root: &Path) -> Result<(), StoreError> {
     let entries = match fs::read_dir(root) {
@@ -26,8 +23,8 @@ pub(super) fn refuse_foreign(root: &Path) -> Result<(), StoreError> {
         names.push(entry.map_err(StoreError::io("read", root))?.file_name().to_string_lossy().into_owned());
     }
     // What a run leaves that was killed before it wrote its manifest.
-    let own = ["shards".to_owned(), PROBE.to_owned(), format!("{}.{}", layout::MANIFEST, layout::TEMPORARY)];
-    names.retain(|name| !own.contains(name));
+    let temporary = format!(".{}", layout::TEMPORARY);
+    names.retain(|name| name != layout::SHARDS && !name.ends_with(&temporary));
     names.sort();
     match names.into_iter().next() {
         Some(found) => Err(StoreError::Foreign { path: root.to_path_buf(), found }),
@@ -36,23 +33,23 @@ pub(super) fn refuse_foreign(root: &Path) -> Result<(), StoreError> {
 }
 
 /// Makes the folder and sees whether files can be written there.
-pub(super) fn probe(root: &Path) -> Result<(), StoreError> {
+pub(super) fn probe(root: &Path, tag: &str) -> Result<(), StoreError> {
     fs::create_dir_all(root).map_err(StoreError::io("create", root))?;
-    let path = root.join(PROBE);
+    let path = root.join(format!("probe.{tag}.{}", layout::TEMPORARY));
     fs::write(&path, b"may be deleted").map_err(StoreError::io("write", &path))?;
     fs::remove_file(&path).map_err(StoreError::io("delete", &path))
 }
 
-/// Takes the folder for this process. The system gives it back however the process ends.
-pub(super) fn lock(root: &Path) -> Result<File, StoreError> {
-    let path = root.join(layout::LOCK);
+/// Takes a shard (or the finishing) of the folder for this process. The system gives it back however the process ends.
+pub(super) fn lock(root: &Path, name: &str) -> Result<File, StoreError> {
+    let path = root.join(name);
     let folder = path.parent().unwrap_or(root);
     fs::create_dir_all(folder).map_err(StoreError::io("create", folder))?;
     let file = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
     let file = file.map_err(StoreError::io("create", &path))?;
     match file.try_lock() {
         Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: root.to_path_buf() }),
+        Err(TryLockError::WouldBlock) => Err(StoreError::Locked { path: root.to_path_buf(), lock: name.to_owned() }),
         // Some network file systems know no locks; there the user must see to it.
         Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(file),
         Err(TryLockError::Error(source)) => Err(StoreError::Io { doing: "lock", path, source }),

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::difference;
+
 /// A dataset folder cannot be used, written or finished.
 #[derive(Debug, Error)]
 pub enum StoreError {
@@ -53,7 +55,7 @@ pub enum StoreError {
     },
     /// The folder belongs to another plan.
     #[error(
-        "{} holds frames of another plan: its plan hash is {there}, this recipe's is {ours}; choose another folder with -o, or delete this one",
+        "{} holds frames of another plan: its plan hash is {there}, this recipe's is {ours}{difference}; choose another folder with -o, or delete this one",
         path.display()
     )]
     OtherPlan {
@@ -63,6 +65,8 @@ pub enum StoreError {
         there: String,
         /// Plan hash of this run.
         ours: String,
+        /// The first values that differ, in words; empty where that is not known.
+        difference: String,
     },
     /// The folder was begun by another version, whose frames may differ.
     #[error(
@@ -78,9 +82,20 @@ pub enum StoreError {
         ours: String,
     },
     /// Another process writes here.
-    #[error("another ensonify process is writing to {}; wait until it ends, or choose another folder with -o", path.display())]
+    #[error(
+        "another ensonify process is writing to {} and holds {lock}; wait until it ends, take another --shard, or choose another folder with -o",
+        path.display()
+    )]
     Locked {
         /// The folder.
+        path: PathBuf,
+        /// The lock that it holds.
+        lock: String,
+    },
+    /// A journal was written over while it was read.
+    #[error("{} changed while it was read; wait until its run ends, and try again", path.display())]
+    Changed {
+        /// The journal.
         path: PathBuf,
     },
     /// A frame that cannot be recorded.
@@ -104,6 +119,17 @@ pub enum StoreError {
 }
 
 impl StoreError {
+    /// Adds what differs between the plan in the folder and ours.
+    pub(crate) fn with_difference(self, plan: &Path, ours: &[u8]) -> Self {
+        match self {
+            Self::OtherPlan { path, there, ours: hash, .. } => {
+                let text = difference::of_plans(plan, ours).map_or_else(String::new, |text| format!(" ({text})"));
+                Self::OtherPlan { path, there, ours: hash, difference: text }
+            }
+            other => other,
+        }
+    }
+
     /// Turns the system's error into one that names what was tried on which file.
     pub(crate) fn io<'a>(doing: &'static str, path: &'a Path) -> impl FnOnce(std::io::Error) -> Self + use<'a> {
         move |source| Self::Io { doing, path: path.to_path_buf(), source }

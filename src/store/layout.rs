@@ -1,5 +1,6 @@
 //! Where things lie in a dataset folder: paths relative to it, with forward slashes.
 
+use super::Shard;
 use crate::label::View;
 
 /// The recipe as given.
@@ -16,12 +17,34 @@ pub const FRAMES: &str = "frames.csv";
 pub const CARD: &str = "README.md";
 /// Whose models are in it.
 pub const ATTRIBUTION: &str = "ATTRIBUTION.md";
-/// Finished frames, one line each.
-pub const JOURNAL: &str = "shards/00000-of-00001.jsonl";
-/// Held by the process that writes.
-pub(crate) const LOCK: &str = "shards/lock";
+/// Journals, and what else is kept of a run.
+pub const SHARDS: &str = "shards";
+/// What finishing needs beside the journals.
+pub const FACTS: &str = "shards/facts.json";
+/// Held by the process that finishes.
+pub(crate) const FINISH_LOCK: &str = "shards/finish.lock";
+/// Files that a verification found changed.
+pub(crate) const DAMAGED: &str = "shards/damaged.json";
 /// What a file is called until it is whole.
 pub(crate) const TEMPORARY: &str = "tmp";
+
+/// A shard's finished frames, one line each.
+#[must_use]
+pub fn journal(shard: Shard) -> String {
+    format!("{SHARDS}/{:05}-of-{:05}.jsonl", shard.index, shard.count)
+}
+
+/// Held by the process that writes a shard.
+#[must_use]
+pub(crate) fn lock(shard: Shard) -> String {
+    format!("{SHARDS}/{:05}-of-{:05}.lock", shard.index, shard.count)
+}
+
+/// Whether a file of [`SHARDS`] is a journal.
+pub(crate) fn is_journal(name: &str) -> bool {
+    let shard = name.strip_suffix(".jsonl").and_then(|stem| stem.split_once("-of-"));
+    shard.is_some_and(|(index, count)| format!("{index}/{count}").parse::<Shard>().is_ok())
+}
 
 /// Name of a frame in all its files, with its variant where there is a sweep.
 #[must_use]

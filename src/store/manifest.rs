@@ -37,6 +37,9 @@ pub(crate) struct Manifest {
     pub dataset_hash: Option<String>,
     /// `null` until the dataset is finished.
     pub counts: Option<Counts>,
+    /// Frames of the plan that a dataset finished in part lacks.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub missing: u64,
 }
 
 /// A file that a recipe includes, pinned by its content.
@@ -71,7 +74,13 @@ impl Manifest {
             frames: identity.frames,
             dataset_hash: None,
             counts: None,
+            missing: 0,
         }
+    }
+
+    /// The same without the results of finishing.
+    pub fn begun_again(self) -> Self {
+        Self { dataset_hash: None, counts: None, missing: 0, ..self }
     }
 
     /// The manifest in a folder; `None` if it has none.
@@ -95,7 +104,7 @@ impl Manifest {
         let path = || root.to_path_buf();
         if self.plan_hash != ours.plan_hash {
             let (there, ours) = (self.plan_hash.clone(), ours.plan_hash.clone());
-            return Err(StoreError::OtherPlan { path: path(), there, ours });
+            return Err(StoreError::OtherPlan { path: path(), there, ours, difference: String::new() });
         }
         if self.ensonify != ours.ensonify {
             let (there, ours) = (self.ensonify.clone(), ours.ensonify.clone());
@@ -110,4 +119,9 @@ impl Manifest {
         text.push('\n');
         text
     }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_zero(number: &u64) -> bool {
+    *number == 0
 }

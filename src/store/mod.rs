@@ -8,25 +8,40 @@
 
 mod atomic;
 mod claim;
+mod compare;
+mod damage;
+mod dataset;
+mod difference;
 mod error;
 pub mod exr;
 pub mod folder;
-pub mod journal;
+mod index;
+mod journal;
 pub mod layout;
+mod line;
 mod manifest;
 pub mod png;
 mod record;
 #[cfg(test)]
 pub(crate) mod sample;
 mod seal;
+mod shard;
 mod status;
+mod verify;
 
+pub(crate) use atomic::sha256 as digest;
+pub use compare::{Comparison, FrameDifference, compare};
+pub use dataset::Dataset;
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
+pub use index::Records;
 pub use manifest::{Counts, IncludeLock};
 pub use record::{AnnotationRecord, FileRecord, FrameRecord, ViewRecord};
+pub(crate) use seal::Sealing;
 pub use seal::Summary;
+pub use shard::{Shard, ShardError};
 pub use status::Status;
+pub use verify::{Verification, verify};
 
 /// Version of this program, which a dataset names.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");

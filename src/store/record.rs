@@ -26,6 +26,10 @@ pub struct FrameRecord {
     pub split: String,
     /// The sonar in the world: x, y, z in metres, then yaw, pitch, roll in degrees.
     pub pose: [f64; 6],
+    /// When it was taken: since the scene's first frame, or as a file of poses has it, seconds.
+    pub time_s: f64,
+    /// How far the vehicle was moved to keep clear of bottom, objects and structures, metres.
+    pub moved_m: f64,
     /// Drawn values by their path in the recipe.
     pub values: BTreeMap<String, serde_json::Value>,
     /// Names of the looks that each view was imaged with; empty where there is but one, without a name.

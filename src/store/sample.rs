@@ -16,10 +16,12 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     name: "sample",
     plan_hash: "0123abcd",
     frames: FRAMES,
+    frames_a_scene: 2,
     recipe_text: Some("name: sample\n"),
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
+    facts: b"{}",
 };
 
 /// A frame of 8×6 pixels in two views; every third has a tire and an anchor that overlap, others a tire or nothing.
@@ -40,6 +42,8 @@ pub(crate) fn frame(id: u64) -> (FrameRecord, Vec<NewFile>) {
         frame: id % 2,
         split: if id < 4 { "train" } else { "val" }.to_owned(),
         pose: [id as f64 / 7.0, -1.0, 2.5, 1.0 / 3.0, 0.0, -0.0],
+        time_s: 0.5 * (id % 2) as f64,
+        moved_m: 0.0,
         values: BTreeMap::from([
             ("water.temperature_c".to_owned(), json!(4.0 + id as f64 / 3.0)),
             ("seabed.sediment".to_owned(), json!("fine, \"sand\"")),
@@ -70,4 +74,41 @@ fn labels(id: u64) -> ViewLabels {
     });
     let annotations = annotations.collect();
     ViewLabels { width: 8, height: 6, mask, annotations }
+}
+
+/// Writes many frames at once, journalled but not synced: records as long as those of real frames, files of a few bytes.
+pub(crate) fn write_many(root: &std::path::Path, frames: u64) {
+    use std::fs::{self, File, create_dir_all, hard_link};
+    use std::io::{BufWriter, Write as _};
+
+    let mut journal = BufWriter::new(File::create(root.join(layout::journal(super::Shard::WHOLE))).unwrap());
+    let rle = "01O1N2O0".repeat(130);
+    for id in 0..frames {
+        let (mut record, files) = frame(id);
+        for view in record.views.values_mut() {
+            let seen = view.annotations.first().cloned().unwrap_or(super::AnnotationRecord {
+                body: 1,
+                label: "tire".to_owned(),
+                asset: "starter/tire".to_owned(),
+                bbox: [2, 1, 2, 4],
+                area: 8,
+                rle: String::new(),
+            });
+            view.annotations = vec![super::AnnotationRecord { rle: rle.clone(), ..seen }; 2];
+        }
+        // File systems limit the links of a file.
+        let source = |number: usize| root.join(format!("shards/source-{number}-{}", id / 10_000));
+        for (number, file) in files.iter().enumerate() {
+            if id % 10_000 == 0 {
+                fs::write(source(number), &file.bytes).unwrap();
+                create_dir_all(root.join(&file.path).parent().unwrap()).unwrap();
+            }
+            hard_link(source(number), root.join(&file.path)).unwrap();
+            let bytes = fs::metadata(source(number)).unwrap().len();
+            let (path, sha256) = (file.path.clone(), super::atomic::sha256(&file.bytes));
+            record.files.push(super::FileRecord { path, bytes, sha256 });
+        }
+        journal.write_all(super::line::done(&record).unwrap().0.as_bytes()).unwrap();
+    }
+    journal.flush().unwrap();
 }

@@ -276,7 +276,9 @@ fn a_few_bytes_cannot_ask_for_much() {
     let nodes: Vec<Value> = (0..1000).map(|_| json!({"mesh": 0})).collect();
     let mut instanced = json!([{"mesh": 0}]);
     instanced[0]["extensions"] = json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}});
-    for (nodes, expected) in [(json!(nodes), "vertices (up to meshes[0]"), (instanced, "instances on nodes[0]")] {
+    for (nodes, expected) in
+        [(json!(nodes), "triangles (up to meshes[0].primitives[0])"), (instanced, "instances on nodes[0]")]
+    {
         let error = load(&glb(&cube(), nodes, huge)).expect_err(expected).to_string();
         assert!(error.contains(expected), "{error}");
     }

@@ -17,16 +17,17 @@ use crate::physics::TurbidWater;
 use crate::recipe::{DEFAULTS, Node, Origin, parse};
 use crate::scene::{EnvironmentSpec, Multipath, SeabedSpec};
 use crate::sonar::Sonar;
-use crate::vehicle::Trajectory;
+use crate::vehicle::{Trajectory, Vehicle};
 
 const TITLES: &str = include_str!("titles.yaml");
 
 /// Units by the end of a key; the longest first.
-const UNITS: [(&str, &str); 13] = [
+const UNITS: [(&str, &str); 15] = [
     ("_db_per_decade", "dB per decade of range"),
     ("_db_per_m", "dB per metre of slant range"),
     ("_kg_m3", "kilograms a cubic metre"),
     ("_deg_s", "degrees a second"),
+    ("_m_s", "metres a second"),
     ("_khz", "kHz"),
     ("_ppt", "parts per thousand"),
     ("_deg", "degrees"),
@@ -35,6 +36,7 @@ const UNITS: [(&str, &str); 13] = [
     ("_px", "pixels"),
     ("_pixels", "pixels"),
     ("_m", "metres"),
+    ("_s", "seconds"),
     ("_c", "degrees Celsius"),
 ];
 
@@ -81,6 +83,7 @@ impl Writer {
             ("seabed", shape_of::<SeabedSpec>(), Drawn::Yes),
             ("environment", shape_of::<EnvironmentSpec>(), Drawn::Yes),
             ("multipath", shape_of::<Multipath>(), Drawn::Yes),
+            ("vehicle", shape_of::<Vehicle>(), Drawn::Yes),
             ("trajectory", shape_of::<Trajectory>(), Drawn::Yes),
             ("image", shape_of::<ImageModel>(), Drawn::Yes),
             ("licences", shape_of::<LicencePolicy>(), Drawn::No),
@@ -235,7 +238,7 @@ fn form_of(path: &str) -> Value {
         json!({"$ref": "#/definitions/name"}),
     ]);
     match path.rsplit('.').next() {
-        Some("look_at" | "centre") => either(vec![
+        Some("look_at" | "centre" | "of") => either(vec![
             json!({"enum": ["objects", "origin"]}),
             json!({"type": "array", "items": number, "minItems": 3, "maxItems": 3}),
         ]),

@@ -92,6 +92,8 @@ fn types_kinds_units_and_defaults_are_told() {
     assert_eq!(at("splits.by")["anyOf"][0]["enum"], json!(["scene", "asset", "variant"]));
     assert_eq!(at("objects[].pose.rest.burial")["default"], 0);
     assert_eq!(at("trajectory.views.range_m")["default"]["uniform"], json!([3, 8]));
+    assert_eq!(at("trajectory.waypoints.speed_m_s")["description"], "Unit: metres a second.");
+    assert_eq!(at("vehicle.ping_s")["description"], "Unit: seconds.");
     assert_eq!(at("image.model")["anyOf"][0]["anyOf"][0]["enum"], json!(["physical", "deepsonar", "holoocean"]));
 }
 
@@ -103,6 +105,7 @@ fn the_shape_of_no_type_stays_unseen() {
         shape_of::<SeabedSpec>(),
         shape_of::<EnvironmentSpec>(),
         shape_of::<Multipath>(),
+        shape_of::<Vehicle>(),
         shape_of::<Trajectory>(),
         shape_of::<ImageModel>(),
         shape_of::<ObjectEntry>(),

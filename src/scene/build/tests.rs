@@ -220,7 +220,26 @@ fn shared_models_rest_on_ripples() {
 fn views_of_a_built_scene_see_their_target_first() {
     use crate::math::Pose;
     use crate::scene::Bvh;
-    use crate::vehicle::{FrameOfRun, Surroundings, Target, Trajectory};
+    use crate::vehicle::{FrameOfRun, Surroundings, Target, Trajectory, Vehicle, Voyage};
+
+    struct Around<'a>(&'a Built, &'a Bvh, &'a [Target]);
+    impl Surroundings for Around<'_> {
+        fn ground(&self, x: f64, y: f64) -> f64 {
+            self.0.ground.height(x, y)
+        }
+        fn targets(&self) -> &[Target] {
+            self.2
+        }
+        fn sees(&self, from: DVec3, to: DVec3) -> bool {
+            self.1.is_clear(from, to)
+        }
+        fn floor(&self, point: DVec3) -> f64 {
+            self.0.ground.floor(point)
+        }
+        fn gap(&self, point: DVec3, within: f64) -> f64 {
+            self.1.gap(point, within)
+        }
+    }
 
     let folder = folder();
     let mut spec = crowd(8, 2.5, 0.0);
@@ -231,18 +250,17 @@ fn views_of_a_built_scene_see_their_target_first() {
     let bodies = built.scene.bodies.iter();
     let targets: Vec<Target> = bodies.map(|body| Target { centre: body.centre, radius_m: body.radius }).collect();
     let mount = Pose::from_angles(DVec3::new(0.3, 0.0, 0.1), 0.0, -0.3, 0.0);
-    let around = Surroundings {
-        ground: &|x, y| built.ground.height(x, y),
-        targets: &targets,
-        clear: &|from, to| bvh.is_clear(from, to),
-        mount: &mount,
-    };
+    let around = Around(&built, &bvh, &targets);
+    let scene_stream = |purpose: &str| Stream::at(1, "scene", 0, purpose);
     let views: Trajectory =
         serde_json::from_value(json!({"views": {"range_m": 4.0, "altitude_m": 1.2, "off_axis_deg": 0.0}}))
             .expect("views");
     for index in 0..60 {
         let mut stream = Stream::at(1, "frame", index, "trajectory");
-        let sonar = views.pose(FrameOfRun { index, count: 60 }, &around, &mut stream).then_inner(&mount);
+        let frame = FrameOfRun { index, count: 60 };
+        let (vehicle, scene_stream) = (&Vehicle::CALM, &scene_stream);
+        let voyage = Voyage { frame, vehicle, mount: &mount, around: &around, scene_stream, track: None };
+        let sonar = views.station(&voyage, &mut stream).pose.then_inner(&mount);
         let hit = bvh.closest(sonar.position, sonar.rotation.x_axis, 10.0).expect("something ahead");
         let body = built.scene.instances[hit.instance as usize].body;
         assert!(body > 0, "frame {index} looks at the ground");

@@ -3,10 +3,10 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{LEAST_ALTITUDE_M, Surroundings, Target, TrajectoryError, not_negative, positive};
-use crate::math::Pose;
-use crate::math::real::{asin, atan2, cos, radians, sin};
+use super::{Target, Voyage, not_negative, positive};
+use crate::math::real::{cos, radians, sin};
 use crate::math::rng::Stream;
+use crate::math::{Impossible, Pose};
 
 /// Sides tried for a clear line of sight.
 const TRIES: u32 = 64;
@@ -26,43 +26,45 @@ pub struct Views {
 }
 
 impl Views {
-    pub(super) fn check(&self) -> Result<(), TrajectoryError> {
+    pub(super) fn check(&self) -> Result<(), Impossible> {
         positive("range_m", self.range_m)?;
         not_negative("altitude_m", self.altitude_m)?;
         not_negative("off_axis_deg", self.off_axis_deg)
     }
 
     /// Without targets the origin's ground is looked at; if no side is clear, the last one tried has to do.
-    pub(super) fn pose(&self, around: &Surroundings, stream: &mut Stream) -> Pose {
-        let target = match around.targets.len() as u64 {
-            0 => Target { centre: DVec3::new(0.0, 0.0, (around.ground)(0.0, 0.0)), radius_m: 0.0 },
-            count => around.targets[stream.below(count) as usize],
+    pub(super) fn pose(&self, voyage: &Voyage, stream: &mut Stream) -> Pose {
+        let around = voyage.around;
+        let target = match around.targets().len() as u64 {
+            0 => Target { centre: DVec3::new(0.0, 0.0, around.ground(0.0, 0.0)), radius_m: 0.0 },
+            count => around.targets()[stream.below(count) as usize],
         };
+        let room = voyage.vehicle.clear_m;
         let off_axis = radians(self.off_axis_deg) * stream.uniform(-1.0, 1.0);
         let mut sonar = target.centre;
         for _ in 0..TRIES {
-            sonar = self.stand(&target, std::f64::consts::TAU * stream.unit(), around);
+            sonar = self.stand(&target, std::f64::consts::TAU * stream.unit(), voyage);
             let towards = target.centre - sonar;
             let distance = towards.length();
             let near_side = target.centre - towards * (target.radius_m / distance).min(1.0);
-            let free = sonar.z >= (around.ground)(sonar.x, sonar.y) + LEAST_ALTITUDE_M - 1e-9;
-            if free && (around.clear)(sonar, near_side) {
+            let free = sonar.z >= around.ground(sonar.x, sonar.y) + room - 1e-9 && around.gap(sonar, room) >= room;
+            if free && around.sees(sonar, near_side) {
                 break;
             }
         }
-        let turned = aim(around.mount, target.centre - sonar, off_axis);
-        Pose { position: sonar - turned.rotation * around.mount.position, ..turned }
+        voyage.aimed(sonar, target.centre - sonar, off_axis)
     }
 
     /// Where the sonar stands on a bearing from the target.
-    fn stand(&self, target: &Target, bearing: f64, around: &Surroundings) -> DVec3 {
+    fn stand(&self, target: &Target, bearing: f64, voyage: &Voyage) -> DVec3 {
         let away = DVec3::new(cos(bearing), sin(bearing), 0.0);
         let range = self.range_m.max(target.radius_m + 1.0);
         let mut above = self.altitude_m;
         // The ground's height is known only where the sonar stands, and that depends on it: three rounds settle it.
         for _ in 0..3 {
             let there = target.centre + away * across(range, above);
-            above = (around.ground)(there.x, there.y) + self.altitude_m.max(LEAST_ALTITUDE_M) - target.centre.z;
+            let ground = voyage.around.ground(there.x, there.y);
+            above = ground + self.altitude_m.max(voyage.vehicle.clear_m) - target.centre.z;
             above = above.min(STEEPEST * range);
         }
         target.centre + away * across(range, above) + DVec3::Z * above
@@ -73,17 +75,4 @@ impl Views {
 fn across(range: f64, above: f64) -> f64 {
     let above = above.clamp(-STEEPEST * range, STEEPEST * range);
     (range * range - above * above).sqrt()
-}
-
-/// Yaw and pitch of the vehicle at which the sonar's axis has the elevation of `direction` and lies `off_axis` radians
-/// to port of its bearing.
-fn aim(mount: &Pose, direction: DVec3, off_axis: f64) -> Pose {
-    let axis = mount.rotation.x_axis;
-    let rise = direction.z / direction.length();
-    // Pitching turns the axis in the vehicle's x–z plane: sin(pitch + tilt) · upright = rise.
-    let (upright, tilt) = ((axis.x * axis.x + axis.z * axis.z).sqrt(), atan2(axis.z, axis.x));
-    let pitch = asin((rise / upright.max(1e-9)).clamp(-1.0, 1.0)) - tilt;
-    let pitched = Pose::from_angles(DVec3::ZERO, 0.0, pitch, 0.0).rotation * axis;
-    let yaw = atan2(direction.y, direction.x) + off_axis - atan2(pitched.y, pitched.x);
-    Pose::from_angles(DVec3::ZERO, yaw, pitch, 0.0)
 }

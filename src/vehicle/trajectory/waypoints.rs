@@ -1,67 +1,69 @@
-//! A smooth path through given points, at an even pace.
+//! A smooth path through given points.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{FrameOfRun, TrajectoryError, finite};
-use crate::math::Pose;
-use crate::math::real::atan2;
+use super::spline::{Limits, Spline};
+use super::{Leg, Voyage, metres, not_negative, positive};
+use crate::math::real::radians;
+use crate::math::{Impossible, Pose};
 
-/// Chords that a piece of the path between two points is measured with.
-const CHORDS: usize = 64;
-
-/// A level vehicle on a Catmull–Rom spline, frames evenly along it, nose along the path.
+/// A level vehicle on a Catmull–Rom spline, nose along it, frames evenly in time.
+///
+/// It goes at its speed, slower in bends where it would turn faster than it can, and turns on the spot where the path
+/// comes to a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Waypoints {
     /// In the world, at least two, metres.
     pub points_m: Vec<[f64; 3]>,
+    /// Along the path where nothing slows it, metres a second.
+    pub speed_m_s: f64,
+    /// Fastest turn of the heading, degrees a second.
+    pub turn_deg_s: f64,
+    /// Slowest that the vehicle can go and still steer, metres a second; paths with tighter bends are refused.
+    pub least_speed_m_s: f64,
 }
 
 impl Waypoints {
-    pub(super) fn check(&self) -> Result<(), TrajectoryError> {
-        if self.points_m.len() < 2 {
-            let value = self.points_m.len() as f64;
-            return Err(TrajectoryError { name: "number of points_m", value, range: "2 or more" });
-        }
-        self.points_m.iter().flatten().try_for_each(|&value| finite("points_m", value))
+    pub(super) fn check(&self) -> Result<(), Impossible> {
+        enough(self.points_m.len())?;
+        self.points_m.iter().flatten().try_for_each(|&value| metres("points_m", value))?;
+        positive("speed_m_s", self.speed_m_s)?;
+        positive("turn_deg_s", self.turn_deg_s)?;
+        not_negative("least_speed_m_s", self.least_speed_m_s)?;
+        flyable(&self.spline(), self.turn_deg_s, self.least_speed_m_s)
     }
 
-    pub(super) fn pose(&self, frame: FrameOfRun) -> Pose {
-        let pieces = self.points_m.len().saturating_sub(1);
-        let steps = pieces * CHORDS;
-        let at = |step: usize| self.at((step / CHORDS).min(pieces.saturating_sub(1)), share(step, pieces));
-        // Length of the path up to each chord's end.
-        let mut lengths = vec![0.0];
-        for step in 0..steps {
-            let chord = (at(step + 1).0 - at(step).0).length();
-            lengths.push(lengths[step] + chord);
-        }
-        let wanted = frame.share() * lengths[steps];
-        let step = lengths.partition_point(|&length| length <= wanted).saturating_sub(1).min(steps.saturating_sub(1));
-        let chord = lengths.get(step + 1).map_or(0.0, |end| end - lengths[step]);
-        let within = if chord > 0.0 { (wanted - lengths[step]) / chord } else { 0.0 };
-        let piece = (step / CHORDS).min(pieces.saturating_sub(1));
-        let (position, along) = self.at(piece, (step - piece * CHORDS) as f64 / CHORDS as f64 + within / CHORDS as f64);
-        Pose::from_angles(position, atan2(along.y, along.x), 0.0, 0.0)
+    pub(super) fn leg<'a>(&'a self, voyage: &Voyage) -> Leg<'a> {
+        let spline = self.spline();
+        let (share, duration_s) = (voyage.frame.share(), spline.duration());
+        let at = move |share| {
+            let (position, yaw) = spline.at(share);
+            Pose::from_angles(position, yaw, 0.0, 0.0)
+        };
+        Leg { share, duration_s, speed_m_s: self.speed_m_s, at: Box::new(at) }
     }
 
-    /// Position and derivative at a share of a piece.
-    ///
-    /// Source: Catmull & Rom (1974), A class of local interpolating splines; ends mirrored.
-    fn at(&self, piece: usize, t: f64) -> (DVec3, DVec3) {
-        let point = |k: usize| self.points_m.get(k).map(|p| DVec3::from_array(*p));
-        let from = point(piece).unwrap_or(DVec3::ZERO);
-        let to = point(piece + 1).unwrap_or(from);
-        let before = piece.checked_sub(1).and_then(point).unwrap_or(2.0 * from - to);
-        let after = point(piece + 2).unwrap_or(2.0 * to - from);
-        let (a, b) = (0.5 * (to - before), 2.0 * before - 5.0 * from + 4.0 * to - after);
-        let c = 3.0 * (from - to) + after - before;
-        (from + a * t + 0.5 * b * (t * t) + 0.5 * c * (t * t * t), a + b * t + 1.5 * c * (t * t))
+    fn spline(&self) -> Spline {
+        let points = self.points_m.iter().map(|&point| DVec3::from_array(point)).collect();
+        Spline::new(points, Limits { speed: self.speed_m_s, turn: radians(self.turn_deg_s) })
     }
 }
 
-/// Share of its piece at which a chord begins; the end of the path belongs to the last piece.
-fn share(step: usize, pieces: usize) -> f64 {
-    if step == pieces * CHORDS { 1.0 } else { (step % CHORDS) as f64 / CHORDS as f64 }
+/// Refuses a path of fewer than two points.
+pub(super) fn enough(points: usize) -> Result<(), Impossible> {
+    Impossible::unless(points >= 2, "points_m", format!("{points} points are no path"), "write at least 2 points")
+}
+
+/// Refuses a path with bends that a vehicle of a least speed cannot take.
+pub(super) fn flyable(spline: &Spline, turn_deg_s: f64, least_speed: f64) -> Result<(), Impossible> {
+    let Some((slowest, place)) = spline.slowest() else { return Ok(()) };
+    let problem = format!(
+        "near [{:.1}, {:.1}] the path bends so that at {turn_deg_s} degrees a second it is flown at {slowest:.2} m/s, below the \
+         least_speed_m_s of {least_speed}",
+        place.x, place.y
+    );
+    let remedy = "set the points wider apart, a larger turn_deg_s or a smaller least_speed_m_s";
+    Impossible::unless(slowest >= least_speed * (1.0 - 1e-9), "points_m", problem, remedy)
 }

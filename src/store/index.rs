@@ -1,0 +1,172 @@
+//! Where every finished frame's record lies in the journals: what is kept in memory of a dataset, however large.
+
+use std::collections::{BTreeMap, btree_map};
+use std::fs::{self, File};
+use std::io::{BufReader, Read as _};
+use std::marker::PhantomData;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use super::line::{self, Outcome};
+use super::{FileRecord, StoreError, damage, journal, layout};
+
+/// The finished frames of a dataset.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Index {
+    /// The journals, sorted by name.
+    journals: Vec<PathBuf>,
+    places: BTreeMap<u64, Place>,
+    /// Frames that could not be rendered, and are still not there.
+    failed: BTreeMap<u64, String>,
+}
+
+/// Where a line is.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    journal: u32,
+    offset: u64,
+    length: u32,
+}
+
+/// The part of a record that tells whether the frame is there.
+#[derive(Deserialize)]
+pub(crate) struct Files {
+    pub files: Vec<FileRecord>,
+}
+
+impl Index {
+    /// Reads all journals under `root`, the journal `ours` among them even if it is not there yet. Frames outside the
+    /// plan, frames whose files are gone or cut off, and frames known to be damaged are left out; of several records of a
+    /// frame the last counts. Changes nothing.
+    pub fn read(root: &Path, frames: u64, ours: Option<&str>) -> Result<Self, StoreError> {
+        let mut index = Self { journals: journals(root, ours)?, ..Self::default() };
+        let damaged = damage::frames(root)?;
+        for number in 0..index.journals.len() {
+            let path = index.journals[number].clone();
+            journal::each_line(&path, |text, offset| {
+                let Some((head, outcome)) = line::parse(text).filter(|(head, _)| head.id < frames) else { return };
+                match outcome {
+                    Outcome::Done(frame) if is_whole(root, frame) && !damaged.contains(&head.id) => {
+                        // Lines are shorter than 4 GB: a record is held in memory when it is written.
+                        let place = Place { journal: number as u32, offset, length: text.len() as u32 };
+                        index.places.insert(head.id, place);
+                    }
+                    Outcome::Done(_) => {}
+                    Outcome::Failed(reason) => {
+                        index.failed.insert(head.id, reason);
+                    }
+                }
+            })?;
+        }
+        index.failed.retain(|id, _| !index.places.contains_key(id));
+        Ok(index)
+    }
+
+    /// Takes a new record in.
+    pub fn add(&mut self, journal: &Path, id: u64, offset: u64, length: usize) {
+        let journal = self.journals.iter().position(|path| path == journal).expect("the shard's own journal is listed");
+        self.places.insert(id, Place { journal: journal as u32, offset, length: length as u32 });
+        self.failed.remove(&id);
+    }
+
+    /// Takes a failure in.
+    pub fn fail(&mut self, id: u64, reason: &str) {
+        self.failed.insert(id, reason.to_owned());
+    }
+
+    pub fn has(&self, id: u64) -> bool {
+        self.places.contains_key(&id)
+    }
+
+    /// How many frames are finished.
+    pub fn len(&self) -> u64 {
+        self.places.len() as u64
+    }
+
+    /// Frames that could not be rendered, with the reason.
+    pub fn failed(&self) -> &BTreeMap<u64, String> {
+        &self.failed
+    }
+
+    /// Reads the records, or a part of each, one after the other in the order of their ids.
+    pub fn records<T>(&self) -> Records<'_, T> {
+        Records { index: self, ids: self.places.iter(), open: BTreeMap::new(), part: PhantomData }
+    }
+}
+
+/// Records of finished frames, one in memory at a time.
+///
+/// `T` is [`FrameRecord`](super::FrameRecord), or a type with some of its fields.
+pub struct Records<'a, T> {
+    index: &'a Index,
+    ids: btree_map::Iter<'a, u64, Place>,
+    open: BTreeMap<u32, (BufReader<File>, u64)>,
+    part: PhantomData<T>,
+}
+
+impl<T> Records<'_, T> {
+    fn text(&mut self, place: Place) -> Result<String, StoreError> {
+        let path = &self.index.journals[place.journal as usize];
+        let (reader, at) = match self.open.entry(place.journal) {
+            btree_map::Entry::Occupied(entry) => entry.into_mut(),
+            btree_map::Entry::Vacant(entry) => {
+                let file = File::open(path).map_err(StoreError::io("read", path))?;
+                entry.insert((BufReader::with_capacity(1 << 18, file), 0))
+            }
+        };
+        let mut bytes = vec![0; place.length as usize];
+        // A step of the reader keeps what it has read ahead; a frame's neighbours are mostly beside it.
+        let step = place.offset as i64 - *at as i64;
+        let read = reader.seek_relative(step).and_then(|()| reader.read_exact(&mut bytes));
+        read.map_err(StoreError::io("read", path))?;
+        *at = place.offset + u64::from(place.length);
+        String::from_utf8(bytes).map_err(|_| StoreError::Changed { path: path.clone() })
+    }
+}
+
+impl<T: DeserializeOwned> Iterator for Records<'_, T> {
+    type Item = Result<T, StoreError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (_, &place) = self.ids.next()?;
+        let text = match self.text(place) {
+            Ok(text) => text,
+            Err(error) => return Some(Err(error)),
+        };
+        let record = match line::head(&text) {
+            Some((_, Outcome::Done(frame))) => serde_json::from_str(frame).ok(),
+            _ => None,
+        };
+        let changed = || StoreError::Changed { path: self.index.journals[place.journal as usize].clone() };
+        Some(record.ok_or_else(changed))
+    }
+}
+
+/// Whether a frame's files are all there with their lengths.
+fn is_whole(root: &Path, frame: &str) -> bool {
+    let Ok(Files { files }) = serde_json::from_str(frame) else { return false };
+    files
+        .iter()
+        .all(|file| fs::metadata(root.join(&file.path)).is_ok_and(|data| data.is_file() && data.len() == file.bytes))
+}
+
+/// The journals under `root`, sorted by name.
+pub(crate) fn journals(root: &Path, ours: Option<&str>) -> Result<Vec<PathBuf>, StoreError> {
+    let folder = root.join(layout::SHARDS);
+    let mut paths: Vec<PathBuf> = ours.map(|name| root.join(name)).into_iter().collect();
+    let entries = match fs::read_dir(&folder) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(paths),
+        result => result.map_err(StoreError::io("read", &folder))?,
+    };
+    for entry in entries {
+        let path = entry.map_err(StoreError::io("read", &folder))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if layout::is_journal(&name) && !paths.contains(&path) {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    Ok(paths)
+}
