@@ -153,7 +153,7 @@ impl DiskIndex {
     }
 
     /// The terms from a mark on; they end where the file is broken.
-    fn from_mark(&self, mark: usize) -> impl Iterator<Item = Entry<'_>> {
+    fn entries_at(&self, mark: usize) -> impl Iterator<Item = Entry<'_>> {
         let start = self.marks.get(mark).copied().unwrap_or(Mark { term: self.terms.len(), postings: 0 });
         let mut rest = self.terms.get(start.term..).unwrap_or_default();
         let mut postings = start.postings;
@@ -170,7 +170,7 @@ impl DiskIndex {
 
     /// The last mark whose term does not come after this one.
     fn mark_before(&self, term: &str) -> usize {
-        let after = |mark: usize| self.from_mark(mark).next().is_none_or(|entry| entry.text > term);
+        let after = |mark: usize| self.entries_at(mark).next().is_none_or(|entry| entry.text > term);
         let (mut low, mut high) = (0, self.marks.len());
         while low < high {
             let middle = low + (high - low) / 2;
@@ -190,7 +190,7 @@ impl Terms for DiskIndex {
     }
 
     fn postings(&self, term: &str) -> Result<Vec<Posting>, CatalogError> {
-        let entries = self.from_mark(self.mark_before(term)).take(MARK + 1);
+        let entries = self.entries_at(self.mark_before(term)).take(MARK + 1);
         let Some(entry) = entries.take_while(|entry| entry.text <= term).find(|entry| entry.text == term) else {
             return Ok(Vec::new());
         };
@@ -213,7 +213,7 @@ impl Terms for DiskIndex {
 
     fn beginning_with(&self, letter: char) -> Vec<&str> {
         let first = String::from(letter);
-        let entries = self.from_mark(self.mark_before(&first)).map(|entry| entry.text);
+        let entries = self.entries_at(self.mark_before(&first)).map(|entry| entry.text);
         entries.skip_while(|text| *text < first.as_str()).take_while(|text| text.starts_with(letter)).collect()
     }
 }

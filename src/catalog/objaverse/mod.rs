@@ -106,10 +106,13 @@ pub fn gather(home: &Path) -> Result<Gathered, CatalogError> {
     Ok(gathered)
 }
 
+/// Paths by uid, in the order of uids.
+type Paths = Vec<(Box<str>, Box<str>)>;
+
 /// What is known before the records are read.
 struct Known {
     /// By uid.
-    paths: Vec<(Box<str>, Box<str>)>,
+    paths: Paths,
     lvis: HashMap<String, String>,
 }
 
@@ -180,9 +183,9 @@ fn alone(known: &Known, described: &[u32], counts: &mut Counts) -> Batch {
 }
 
 /// Paths by uid, in the order of uids.
-fn object_paths(home: &Path, problems: &mut Vec<String>) -> Result<Vec<(Box<str>, Box<str>)>, CatalogError> {
+fn object_paths(home: &Path, problems: &mut Vec<String>) -> Result<Paths, CatalogError> {
     let file = home.join(PATHS);
-    let mut paths: Vec<(Box<str>, Box<str>)> = Vec::new();
+    let mut paths: Paths = Vec::new();
     let mut refused = None;
     let contents = match Contents::read(&file) {
         Ok(contents) => contents,

@@ -132,7 +132,8 @@ fn merged(sums: Vec<(u32, f32)>, more: &[Posting]) -> Vec<(u32, f32)> {
         match (left.peek(), right.peek()) {
             (Some(&(a, sum)), Some(p)) if a == p.model => {
                 out.push((a, sum + f32::from(p.weight)));
-                (left.next(), right.next());
+                left.next();
+                right.next();
             }
             (Some(&(a, sum)), Some(p)) if a < p.model => {
                 out.push((a, sum));
