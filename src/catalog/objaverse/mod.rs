@@ -14,6 +14,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
+use rayon::slice::ParallelSliceMut as _;
 
 use self::gzip::{Contents, Text, each_entry};
 use self::record::Metadata;
@@ -207,7 +208,7 @@ fn object_paths(home: &Path, problems: &mut Vec<String>) -> Result<Paths, Catalo
         return Err(CatalogError::File { path: file, problem });
     }
     problems.extend(contents.problem(parsed, paths.len()).map(|problem| format!("{}: {problem}", file.display())));
-    paths.sort_unstable();
+    paths.par_sort_unstable();
     paths.dedup_by(|b, a| a.0 == b.0);
     Ok(paths)
 }

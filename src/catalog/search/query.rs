@@ -71,10 +71,12 @@ pub fn read(query: &str, terms: &dyn Terms) -> Result<Vec<Wanted>, CatalogError>
 /// The word that was meant; itself if it is known or none is near.
 fn repair(word: &str, terms: &dyn Terms) -> Result<String, CatalogError> {
     let letters = word.chars().count();
+    // In halves.
     let errors = match letters {
         0..=3 => return Ok(word.into()),
-        4..=6 => 1,
-        _ => 2,
+        4..=5 => 2,
+        6 => 3,
+        _ => 4,
     };
     if !word.chars().all(char::is_alphabetic) {
         return Ok(word.into());
@@ -94,19 +96,21 @@ fn repair(word: &str, terms: &dyn Terms) -> Result<String, CatalogError> {
 fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, errors: usize) -> Option<&'a str> {
     let (length, first) = (word.len(), word.chars().next());
     known
-        .filter(|other| other.len() >= 3 && other.len().abs_diff(length) <= errors && !other.starts_with(['#', '=']))
+        .filter(|other| {
+            other.len() >= 3 && other.len().abs_diff(length) <= errors / 2 && !other.starts_with(['#', '='])
+        })
         .filter_map(|other| {
             let distance = half_errors(word, other);
             let other_first = other.chars().next() != first;
             // A wrong first letter counts as one more.
-            (distance + 2 * usize::from(other_first) <= 2 * errors).then_some((distance, other_first, other))
+            (distance + 2 * usize::from(other_first) <= errors).then_some((distance, other_first, other))
         })
         .min()
         .map(|(_, _, other)| other)
 }
 
-/// How many half errors lead from one word to the other. What fingers do most counts half: a letter doubled or not, and
-/// letters in another order behind the first.
+/// How many half errors lead from one word to the other. What fingers do most counts half: a letter doubled or not, two
+/// neighbours swapped. All letters in another order behind the first count one and a half.
 fn half_errors(word: &str, other: &str) -> usize {
     let once = |word: &str| {
         let mut letters: Vec<char> = word.chars().collect();
@@ -118,11 +122,15 @@ fn half_errors(word: &str, other: &str) -> usize {
         letters.sort_unstable();
         letters
     };
-    let same_first = word.chars().next() == other.chars().next();
-    if once(word) == once(other) || (same_first && sorted(word) == sorted(other)) {
-        return usize::from(word != other);
+    let errors = strsim::damerau_levenshtein(word, other);
+    let same_letters = word.chars().next() == other.chars().next() && sorted(word) == sorted(other);
+    match errors {
+        0 => 0,
+        _ if once(word) == once(other) => 1,
+        1 if same_letters => 1,
+        _ if same_letters => 3,
+        _ => 2 * errors,
     }
-    2 * strsim::damerau_levenshtein(word, other)
 }
 
 /// What the last part of a compound means: `Lkwreifen`, `rustbucket`.
