@@ -162,7 +162,7 @@ mod tests {
             ("ancre rouillée", "anchor"),
             ("生锈的锚", "anchor"),
             ("tyre", "tire"),
-            ("Lkwreifen", "tire"),
+            ("Lkwreifen", "truck-tire"),
             ("oil barell", "oil-drum"),
             ("propellor", "propeller"),
             ("torpedos", "torpedo"),
