@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::catalog::LicencePolicy;
 use crate::label::{LabelSettings, View};
 use crate::math::Impossible;
 use crate::math::rng::Stream;
@@ -22,6 +23,9 @@ pub struct Header {
     /// Frames a scene.
     #[serde(rename = "frames_per_scene")]
     pub frames: u64,
+    /// Which licences models may be under.
+    #[serde(skip_serializing_if = "LicencePolicy::is_default")]
+    pub licences: LicencePolicy,
     /// When a body is labelled.
     pub labels: LabelSettings,
     /// How frames are dealt out.
