@@ -93,8 +93,9 @@ impl Output {
         let message = format!("a fan {} pixels high cannot be drawn", self.fan_height_px);
         let possible = (16..=8192).contains(&self.fan_height_px);
         Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")?;
-        let (message, help) = ("a tar file holds at least 1 frame", "write a whole number from 1, such as 1000");
-        Impossible::unless(self.tar_frames > 0, "output.tar_frames", message, help)
+        let message = format!("tar files of {} frames cannot be written", self.tar_frames);
+        let help = format!("write a whole number from 1 to {MAX_JOBS}, such as 1000");
+        Impossible::unless((1..=MAX_JOBS).contains(&self.tar_frames), "output.tar_frames", message, &help)
     }
 }
 
@@ -266,6 +267,14 @@ mod tests {
         let count = (0..1000).filter(|i| SPLITS.of_key(7, &format!("starter/{i}")) == Split::Train).count();
         assert!((760..840).contains(&count), "{count}");
         assert_eq!(SPLITS.of_key(7, "starter/tire"), SPLITS.of_key(7, "starter/tire"));
+    }
+
+    #[test]
+    fn tar_files_hold_some_frames() {
+        let (views, raw, fan_height_px) = (vec![View::Polar], Raw::None, 768);
+        let output = |tar_frames| Output { views: views.clone(), raw, fan_height_px, pack: Packing::Tar, tar_frames };
+        assert!(output(1).check().is_ok() && output(MAX_JOBS).check().is_ok());
+        assert!(output(0).check().is_err() && output(u64::MAX).check().is_err());
     }
 
     #[test]
