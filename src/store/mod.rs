@@ -3,7 +3,7 @@
 //! A frame's files are written under temporary names, synced and renamed; then one line in the journal says that the
 //! frame is finished. Whatever a killed run leaves behind, opening the folder again finds the frames that are whole, and
 //! the others are rendered again. Where many small files are not wanted, frames lie in tar files instead, with the same
-//! records and hashes ([`pack`]). No date, host or absolute path is ever written.
+//! records and hashes (`pack`). No date, host or absolute path is ever written.
 //!
 //! Knows nothing of recipes, scenes or how frames are made, and of annotation formats only what a frame's record holds.
 
