@@ -6,7 +6,7 @@ use super::Project;
 use super::render::{Frame, pose_numbers};
 use super::world::World;
 use crate::export::{Attribution, FinishInput};
-use crate::plan::{Job, Plan, Split};
+use crate::plan::{Job, Packing, Plan, Split};
 use crate::scene::{Built, asset_name};
 use crate::store::{Fate, FrameRecord, Misplaced, NewFile, ViewRecord, exr, layout, png};
 
@@ -133,6 +133,14 @@ fn facts(plan: &Plan) -> Vec<(String, String)> {
     }
     let mut facts =
         vec![("Sonar".to_owned(), sonars.join("; ")), ("Scenes".to_owned(), plan.header.scenes.to_string())];
+    let output = &plan.header.output;
+    if output.pack == Packing::Tar {
+        let frame = layout::frame_name(0, plan.variants.first().map(|variant| variant.id.as_str()));
+        let path = layout::image(output.views[0], &frame, None);
+        let text =
+            format!("{} frames a tar file: `{path}` is `{}` there", output.tar_frames, layout::member(&frame, &path));
+        facts.push(("Files".to_owned(), format!("in `{}/`, {text}", layout::TARS)));
+    }
     facts.extend(plan.variants.iter().map(|variant| (format!("Variant {}", variant.id), variant.description.clone())));
     facts
 }
