@@ -1,11 +1,16 @@
 //! Specification to scene: seabed, environment, then bodies one after the other.
 
+mod builder;
+
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use builder::Builder;
+
+use super::Scene;
 use super::assets::AssetCache;
 use super::bvh::Bvh;
 use super::environment::{Environment, EnvironmentError, EnvironmentSpec, Source, Surface};
@@ -13,16 +18,8 @@ use super::ground::Ground;
 use super::multipath::Multipath;
 use super::placement::{Before, BodySpec, OnFailure, ROPE, Search, Standing, View, Whose, is_seen, order};
 use super::seabed::{SeabedError, SeabedSpec};
-use super::{Body, Instance, Material, Mesh, Scene};
 use crate::catalog::CatalogError;
-use crate::catalog::materials::{material, sediment};
-use crate::math::real::radians;
 use crate::math::rng::Stream;
-use crate::physics::lambert::{MAX_LAMBERT_MU, lambert_mu};
-use crate::physics::reflection::normal_incidence;
-
-/// Specific impedance of sea water, kg/(m²·s).
-const SEA_WATER_IMPEDANCE: f64 = 1.539e6;
 
 /// Most bodies of a scene: masks number them with 16 bits.
 const MAX_BODIES: usize = u16::MAX as usize;
@@ -364,78 +361,6 @@ impl Layout<'_> {
 pub fn asset_name(catalog: &str, uid: &str) -> String {
     let catalog = catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
     format!("{catalog}/{uid}")
-}
-
-#[derive(Default)]
-struct Builder {
-    scene: Scene,
-}
-
-impl Builder {
-    fn add(
-        &mut self,
-        mesh: Arc<Mesh>,
-        world_from_mesh: DAffine3,
-        body: u16,
-        surfaces: &[Surface],
-    ) -> Result<(), CatalogError> {
-        let materials = surfaces.iter().map(|surface| self.material(surface)).collect::<Result<_, _>>()?;
-        self.scene.instances.push(Instance { mesh, world_from_mesh, body, materials });
-        Ok(())
-    }
-
-    /// Number of a new body.
-    fn body(&mut self, label: &str, asset: String, mesh: &Mesh, world_from_mesh: &DAffine3) -> Result<u16, SceneError> {
-        let vertices: Vec<DVec3> = mesh.vertices().map(|v| world_from_mesh.transform_point3(v.as_dvec3())).collect();
-        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = vertices.iter().fold(nothing, |(low, high), p| (low.min(*p), high.max(*p)));
-        let (centre, radius) = (0.5 * (low + high), 0.5 * (high - low).length());
-        self.scene.bodies.push(Body { label: label.into(), asset, centre, radius });
-        let count = self.scene.bodies.len();
-        u16::try_from(count).map_err(|_| SceneError::TooManyBodies { count })
-    }
-
-    fn material(&mut self, surface: &Surface) -> Result<u16, CatalogError> {
-        let wanted = match surface {
-            Surface::Sediment(name) => {
-                let sediment = sediment(name)?;
-                let facts = Facts { density: sediment.density, speed: sediment.speed, slope_deg: sediment.slope_deg };
-                facts.material(name, sediment.lambert_db, Some(sediment.texture_nu))
-            }
-            Surface::Material(name) => {
-                let material = material(name)?;
-                let facts = Facts { density: material.density, speed: material.speed, slope_deg: material.slope_deg };
-                facts.material(name, material.lambert_db, None)
-            }
-        };
-        let known = self.scene.materials.iter().position(|material| *material == wanted);
-        let number = known.unwrap_or_else(|| {
-            self.scene.materials.push(wanted);
-            self.scene.materials.len() - 1
-        });
-        // The tables have fewer entries than 16 bits can number.
-        Ok(number as u16)
-    }
-}
-
-/// What sediments and materials have in common.
-struct Facts {
-    density: f64,
-    speed: f64,
-    slope_deg: f64,
-}
-
-impl Facts {
-    /// Reflects what its impedance does against sea water, as far as the diffuse part leaves power for it.
-    fn material(&self, name: &str, lambert_db: f64, texture_nu: Option<f64>) -> Material {
-        // The tables are checked when they are read, so nothing is cut off here.
-        let mu = lambert_mu(lambert_db).unwrap_or(MAX_LAMBERT_MU);
-        let r = normal_incidence(SEA_WATER_IMPEDANCE, self.density * self.speed);
-        let reflectivity = r * r;
-        let reflected = reflectivity.min(1.0 - std::f64::consts::PI * mu).max(0.0);
-        let slope_rad = radians(self.slope_deg);
-        Material { name: name.into(), lambert_mu: mu, reflected, reflectivity, slope_rad, texture_nu }
-    }
 }
 
 #[cfg(test)]

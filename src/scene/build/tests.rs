@@ -3,11 +3,13 @@
 use std::fs;
 use std::time::Instant;
 
+use glam::DVec3;
 use serde_json::json;
 use tempfile::TempDir;
 
 use super::*;
 use crate::catalog::glb::tests::{cube, glb, shared, tire};
+use crate::scene::Instance;
 use crate::scene::environment::Labels;
 use crate::scene::placement::PoseSpec;
 
