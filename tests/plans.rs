@@ -127,7 +127,11 @@ fn what_a_recipe_may_not_say_a_plan_may_not_either() {
         (|p| p["scenes"][0]["seed"] = json!(6), "scenes[0].seed", "6 stands where 5 belongs"),
         (|p| p["jobs"][2]["sonar"]["beams"] = json!(4_000_000), "jobs[2].sonar.beams", "outside"),
         (|p| p["jobs"][2]["sonar"]["beems"] = json!(4), "jobs[2].sonar.beems", "unknown field"),
-        (|p| p["jobs"][2]["trajectory"]["orbit"]["radius_m"] = json!(-1), "jobs[2].trajectory", "radius_m is -1"),
+        (
+            |p| p["jobs"][2]["trajectory"]["orbit"]["radius_m"] = json!(-1),
+            "jobs[2].trajectory.orbit.radius_m",
+            "-1 is not above 0",
+        ),
         (|p| p["jobs"][2]["looks"] = json!([]), "jobs[2].looks", "0 looks"),
         (|p| p["jobs"][0]["looks"][0]["name"] = json!("../x"), "jobs[0].looks[0].name", "cannot name"),
         (|p| p["jobs"][2]["looks"][0]["water"]["ph"] = json!(20), "jobs[2].looks[0].water.ph", "20 is outside"),

@@ -87,7 +87,7 @@ fn catalog(desk: &Desk, labels: &[(&str, usize)]) {
     let mut rows = "uid,name,label,tags,path,size_m,up,material,licence,attribution,source\n".to_owned();
     for (label, models) in labels {
         for i in 0..*models {
-            rows += &format!("{label}-{i},{label},{label},all,m.glb,0.6,y,rubber,l,a,s\n");
+            rows += &format!("{label}-{i},{label},{label},all,m.glb,0.6,y,rubber,CC0-1.0,a,s\n");
         }
     }
     desk.file("models/catalog.csv", &rows);

@@ -8,7 +8,9 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum CatalogError {
     /// No catalog of that name or folder.
-    #[error("no catalog `{name}`: looked for catalog.csv in {looked}; put the catalog's folder there or give its path")]
+    #[error(
+        "no catalog `{name}`: looked for catalog.csv in {looked}; put the catalog's folder there or give its path, or make one with `ensonify catalog index`"
+    )]
     NotFound {
         /// As written in the recipe.
         name: String,
@@ -71,6 +73,27 @@ pub enum CatalogError {
         /// The table's file name.
         table: &'static str,
         /// What is wrong.
+        problem: String,
+    },
+    /// A link leads out of the catalog.
+    #[error(
+        "{path} is a link to {target}, outside of the catalog's root {root}; copy the file into it",
+        path = path.display(), target = target.display(), root = root.display()
+    )]
+    Outside {
+        /// The link.
+        path: PathBuf,
+        /// Where it leads.
+        target: PathBuf,
+        /// Root of the catalog's models.
+        root: PathBuf,
+    },
+    /// A file beside the index, or of a cache, is wrong.
+    #[error("{path}: {problem}", path = path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, and the remedy.
         problem: String,
     },
     /// A model file cannot be used.

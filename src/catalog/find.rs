@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::disk::DiskIndex;
 use super::error::CatalogError;
 use super::index::INDEX;
 
@@ -18,7 +19,7 @@ pub fn find_catalog(name: &str, recipe_dir: &Path) -> Result<PathBuf, CatalogErr
     let named = beside_recipe.ancestors().chain(std::iter::once(Path::new("")));
     let named = named.chain(program.iter().flat_map(|file| file.ancestors().skip(1)));
     for folder in direct.chain(named.map(|folder| folder.join("catalogs").join(name))) {
-        if folder.join(INDEX).is_file() {
+        if folder.join(INDEX).is_file() || DiskIndex::is_in(&folder) {
             return Ok(folder);
         }
         if !looked.contains(&folder) {
@@ -27,6 +28,28 @@ pub fn find_catalog(name: &str, recipe_dir: &Path) -> Result<PathBuf, CatalogErr
     }
     let looked = looked.iter().map(|folder| folder.display().to_string()).collect::<Vec<_>>().join(", ");
     Err(CatalogError::NotFound { name: name.into(), looked })
+}
+
+/// Every catalog by name: under `catalogs` of a folder and its ancestors, and of the ancestors of this program's file. Of
+/// two with one name the first is taken.
+#[must_use]
+pub fn catalogs_near(dir: &Path) -> Vec<(String, PathBuf)> {
+    let program = std::env::current_exe().ok();
+    let here = absolute(dir);
+    let folders = here.ancestors().chain(program.iter().flat_map(|file| file.ancestors().skip(1)));
+    let mut found: Vec<(String, PathBuf)> = Vec::new();
+    for folder in folders.map(|folder| folder.join("catalogs")) {
+        let mut inside: Vec<PathBuf> =
+            folder.read_dir().into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+        inside.sort();
+        for catalog in inside.into_iter().filter(|dir| dir.join(INDEX).is_file() || DiskIndex::is_in(dir)) {
+            let name = catalog.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            if !found.iter().any(|(known, _)| *known == name) {
+                found.push((name, catalog));
+            }
+        }
+    }
+    found
 }
 
 /// A relative folder has no ancestors to climb.

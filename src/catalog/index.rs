@@ -1,191 +1,238 @@
 //! The index of a catalog: `catalog.csv`, one line a model.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use csv::StringRecord;
-use serde::{Deserialize, Serialize};
 
+use super::asset::{Asset, Up};
+use super::disk::DiskIndex;
 use super::error::CatalogError;
-use super::glb::load_model_in;
+use super::home::Home;
 use super::materials;
-use super::model::Model;
+use super::overrides::Overrides;
+use super::paths;
+use super::priors::SizeFrom;
 
 /// File name of the index.
 pub(crate) const INDEX: &str = "catalog.csv";
 
-/// Columns of the index, in the order in which they are written.
+/// Columns that every index has, in the order in which they are written.
 pub const COLUMNS: [&str; 11] =
     ["uid", "name", "label", "tags", "path", "size_m", "up", "material", "licence", "attribution", "source"];
 
-/// Largest side that a model may have, metres.
-const MAX_SIZE_M: f64 = 1000.0;
+/// Columns that an index may have besides.
+pub const MORE_COLUMNS: [&str; 4] = ["size_from", "triangles", "watertight", "problems"];
 
-/// A catalog: its models in file order.
-#[derive(Clone, Debug, PartialEq)]
+/// Largest side that a model may have, metres.
+pub(crate) const MAX_SIZE_M: f64 = 1000.0;
+
+/// A catalog: models that are listed in a `catalog.csv`, or a large collection behind an index of its own.
+#[derive(Debug)]
 pub struct Catalog {
     /// The folder.
     pub dir: PathBuf,
-    /// In file order.
+    /// In file order; none of a large collection, see [`Catalog::disk`].
     pub assets: Vec<Asset>,
-}
-
-/// One model of a catalog.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Asset {
-    /// Unique in its catalog.
-    pub uid: String,
-    /// For people.
-    pub name: String,
-    /// Category that it is annotated with unless the recipe says otherwise.
-    pub label: String,
-    /// Words to pick it by.
-    pub tags: Vec<String>,
-    /// The catalog's folder, which the model and its buffers must lie in.
-    pub dir: PathBuf,
-    /// The model file, the catalog's folder included.
-    pub path: PathBuf,
-    /// Longest side of the bounding box, metres.
-    pub size_m: f64,
-    /// Which axis of the file's frame points up.
-    pub up: Up,
-    /// Material where the file's own material names say nothing; empty if not given.
-    pub material: String,
-    /// Licence, as its source states it.
-    pub licence: String,
-    /// Whom to name.
-    pub attribution: String,
-    /// Where it comes from.
-    pub source: String,
-    /// Line in the index, from 1.
-    pub line: u64,
-}
-
-/// Which axis of a model file's frame points up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Up {
-    /// As glTF wants it.
-    #[default]
-    Y,
-    /// As many converters leave it.
-    Z,
+    /// Places in `assets` by uid.
+    by_uid: BTreeMap<String, usize>,
+    /// The index of a large collection.
+    disk: Option<DiskIndex>,
+    overrides: Overrides,
 }
 
 impl Catalog {
-    /// Reads `catalog.csv` of a folder. Model files are not touched: see [`Catalog::check`].
+    /// Reads the index of a folder. Model files are not touched: see [`Catalog::check`].
     ///
     /// # Errors
     /// A missing file or column, or the first wrong row, with file and line.
     pub fn open(dir: &Path) -> Result<Self, CatalogError> {
-        let index = dir.join(INDEX);
-        let unreadable = |problem: String| CatalogError::Unreadable { path: index.clone(), problem };
-        let text = fs::read(&index).map_err(|e| unreadable(e.to_string()))?;
-        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_slice());
-        let header = reader.headers().map_err(|e| unreadable(e.to_string()))?.clone();
-        let columns = Columns::of(&header, &index)?;
-        let mut assets: Vec<Asset> = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|e| unreadable(e.to_string()))?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let wrong = |problem: String| CatalogError::Row { path: index.clone(), line, problem };
-            let asset = columns.asset(&record, dir, line).map_err(wrong)?;
-            if let Some(earlier) = assets.iter().find(|earlier| earlier.uid == asset.uid) {
-                return Err(wrong(format!(
-                    "uid `{}` is already on line {}; give each its own",
-                    asset.uid, earlier.line
-                )));
-            }
-            assets.push(asset);
+        let overrides = Overrides::read(dir)?;
+        let root = Home::read(dir)?.root;
+        let mut catalog =
+            Self { dir: dir.to_path_buf(), assets: Vec::new(), by_uid: BTreeMap::new(), disk: None, overrides };
+        if !dir.join(INDEX).is_file() && DiskIndex::is_in(dir) {
+            catalog.disk = Some(DiskIndex::open(dir, &root)?);
+            return Ok(catalog);
         }
-        Ok(Self { dir: dir.to_path_buf(), assets })
+        for (line, asset) in rows(&dir.join(INDEX), &root)? {
+            let asset = catalog.overrides.applied(asset);
+            if let Some(&earlier) = catalog.by_uid.get(&asset.uid) {
+                let problem = format!(
+                    "uid `{}` is already on line {}; give each its own",
+                    asset.uid, catalog.assets[earlier].line
+                );
+                return Err(CatalogError::Row { path: dir.join(INDEX), line, problem });
+            }
+            catalog.by_uid.insert(asset.uid.clone(), catalog.assets.len());
+            catalog.assets.push(asset);
+        }
+        catalog.overrides.check(|uid| catalog.by_uid.contains_key(uid))?;
+        Ok(catalog)
     }
 
-    /// Whether every model file is there.
+    /// Whether every listed model file is there, and inside the catalog.
     ///
     /// # Errors
     /// [`CatalogError::Row`] for the first that is not.
     pub fn check(&self) -> Result<(), CatalogError> {
-        match self.assets.iter().find(|asset| !asset.path.is_file()) {
-            None => Ok(()),
-            Some(asset) => Err(CatalogError::Row {
-                path: self.dir.join(INDEX),
-                line: asset.line,
-                problem: format!(
-                    "`{}`: there is no {}; put the model there or take the line out",
-                    asset.uid,
-                    asset.path.display()
-                ),
-            }),
+        let wrong = |asset: &Asset, problem: String| CatalogError::Row {
+            path: self.dir.join(INDEX),
+            line: asset.line,
+            problem: format!("`{}`: {problem}", asset.uid),
+        };
+        for asset in &self.assets {
+            if !asset.path.is_file() {
+                let file = asset.path.display();
+                return Err(wrong(asset, format!("there is no {file}; put the model there or take the line out")));
+            }
+            asset.file().map_err(|error| wrong(asset, error.to_string()))?;
+        }
+        Ok(())
+    }
+
+    /// The index of a large collection, if this is one.
+    #[must_use]
+    pub fn disk(&self) -> Option<&DiskIndex> {
+        self.disk.as_ref()
+    }
+
+    /// How many models there are.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.disk.as_ref().map_or(self.assets.len() as u64, |disk| u64::from(disk.count()))
+    }
+
+    /// The model of a number, in the order of the index.
+    ///
+    /// # Errors
+    /// If the index of a large collection cannot be read.
+    pub fn asset(&self, number: u32) -> Result<Asset, CatalogError> {
+        match &self.disk {
+            None => Ok(self.assets[number as usize].clone()),
+            Some(disk) => Ok(self.overrides.applied(disk.asset(number)?)),
         }
     }
 
-    /// The asset of that uid.
-    #[must_use]
-    pub fn get(&self, uid: &str) -> Option<&Asset> {
-        self.assets.iter().find(|asset| asset.uid == uid)
+    /// The model of that uid.
+    ///
+    /// # Errors
+    /// If the index of a large collection cannot be read.
+    pub fn get(&self, uid: &str) -> Result<Option<Asset>, CatalogError> {
+        match &self.disk {
+            None => Ok(self.by_uid.get(uid).map(|&place| self.assets[place].clone())),
+            Some(disk) => disk.number(uid)?.map(|number| self.asset(number)).transpose(),
+        }
     }
 }
 
-impl Asset {
-    /// The model, up turned to z, scaled so that its longest side is `size_m`, the middle of its base at the origin.
-    ///
-    /// # Errors
-    /// As [`load_model_in`].
-    pub fn scaled_model(&self) -> Result<Model, CatalogError> {
-        let mut model = load_model_in(&self.dir, &self.path)?;
-        if self.up == Up::Z {
-            // The loader took y for up: back to the file's own axes.
-            model.map(|p| glam::Vec3::new(p.x, p.z, -p.y));
-        }
-        model.rest_at_origin(self.size_m);
-        Ok(model)
+/// The rows of an index with their lines, checked one by one.
+pub(crate) fn rows(index: &Path, root: &Path) -> Result<Vec<(u64, Asset)>, CatalogError> {
+    let unreadable = |problem: String| CatalogError::Unreadable { path: index.to_path_buf(), problem };
+    let text = fs::read(index).map_err(|e| unreadable(e.to_string()))?;
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_slice());
+    let header = reader.headers().map_err(|e| unreadable(e.to_string()))?.clone();
+    let columns = Columns::of(&header, index)?;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| unreadable(e.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let wrong = |problem: String| CatalogError::Row { path: index.to_path_buf(), line, problem };
+        rows.push((line, columns.asset(&record, root, line).map_err(wrong)?));
     }
+    Ok(rows)
 }
 
 /// Where each column stands.
-struct Columns([usize; COLUMNS.len()]);
+struct Columns {
+    needed: [usize; COLUMNS.len()],
+    more: [Option<usize>; MORE_COLUMNS.len()],
+}
 
 impl Columns {
     fn of(header: &StringRecord, index: &Path) -> Result<Self, CatalogError> {
-        let mut places = [0; COLUMNS.len()];
-        for (place, column) in places.iter_mut().zip(COLUMNS) {
-            *place = header.iter().position(|name| name.trim_start_matches('\u{feff}') == column).ok_or_else(|| {
-                CatalogError::Column { path: index.to_path_buf(), column, columns: COLUMNS.join(",") }
+        let place = |column: &str| header.iter().position(|name| name.trim_start_matches('\u{feff}') == column);
+        let mut needed = [0; COLUMNS.len()];
+        for (slot, column) in needed.iter_mut().zip(COLUMNS) {
+            *slot = place(column).ok_or_else(|| CatalogError::Column {
+                path: index.to_path_buf(),
+                column,
+                columns: COLUMNS.join(","),
             })?;
         }
-        Ok(Self(places))
+        Ok(Self { needed, more: MORE_COLUMNS.map(place) })
     }
 
-    fn asset(&self, record: &StringRecord, dir: &Path, line: u64) -> Result<Asset, String> {
+    fn asset(&self, record: &StringRecord, root: &Path, line: u64) -> Result<Asset, String> {
         let [uid, name, label, tags, path, size_m, up, material, licence, attribution, source] =
-            self.0.map(|place| record.get(place).unwrap_or(""));
+            self.needed.map(|place| record.get(place).unwrap_or(""));
+        let [size_from, triangles, watertight, problems] =
+            self.more.map(|place| place.and_then(|place| record.get(place)).unwrap_or(""));
         if uid.is_empty() || label.is_empty() {
             return Err("uid and label must not be empty".into());
         }
-        let relative = Path::new(path);
-        if path.is_empty()
-            || relative.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
-        {
-            return Err(format!("path `{path}` leaves the catalog's folder; models live inside it"));
-        }
-        let size: f64 = size_m.parse().map_err(|_| format!("size_m `{size_m}` is no number"))?;
-        if !(size > 0.0 && size <= MAX_SIZE_M) {
-            return Err(format!("size_m {size_m} is not above 0 and up to {MAX_SIZE_M} metres"));
-        }
-        let up = match up {
-            "" | "y" => Up::Y,
-            "z" => Up::Z,
-            other => return Err(format!("up `{other}` is neither y nor z")),
-        };
         if !material.is_empty() {
             materials::material(material).map_err(|e| e.to_string())?;
         }
-        let tags = tags.split(';').map(str::trim).filter(|tag| !tag.is_empty()).map(String::from).collect();
-        let [uid, name, label, material, licence, attribution, source] =
-            [uid, name, label, material, licence, attribution, source].map(String::from);
-        let (dir, path) = (dir.to_path_buf(), dir.join(relative));
-        Ok(Asset { uid, name, label, tags, dir, path, size_m: size, up, material, licence, attribution, source, line })
+        let triangles = match triangles {
+            "" => None,
+            text => Some(text.parse().map_err(|_| format!("triangles `{text}` is no whole number"))?),
+        };
+        let tags = tags.split(';').map(str::trim).filter(|tag| !tag.is_empty()).map(super::text::clean).collect();
+        let [uid, name, label, material, licence, attribution, source, problems] =
+            [uid, name, label, material, licence, attribution, source, problems].map(super::text::clean);
+        Ok(Asset {
+            uid,
+            name,
+            label,
+            tags,
+            path: paths::inside(root, path)?,
+            root: root.to_path_buf(),
+            size_m: size(size_m)?,
+            size_from: size_from_word(size_from)?,
+            up: Up::of(up)?,
+            material,
+            parts: BTreeMap::new(),
+            licence,
+            attribution,
+            source,
+            triangles,
+            watertight: watertight_word(watertight)?,
+            problems,
+            line,
+        })
+    }
+}
+
+/// A size in metres; none if it is left open.
+pub(crate) fn size(text: &str) -> Result<Option<f64>, String> {
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let size: f64 = text.parse().map_err(|_| format!("size_m `{text}` is no number"))?;
+    if size > 0.0 && size <= MAX_SIZE_M {
+        Ok(Some(size))
+    } else {
+        Err(format!("size_m {text} is not above 0 and up to {MAX_SIZE_M} metres"))
+    }
+}
+
+fn size_from_word(text: &str) -> Result<SizeFrom, String> {
+    let known = SizeFrom::ALL.into_iter().find(|from| from.name() == text);
+    match (known, text) {
+        (Some(from), _) => Ok(from),
+        (None, "") => Ok(SizeFrom::Given),
+        (None, other) => Err(format!("size_from `{other}` is none of given, file, prior, guessed")),
+    }
+}
+
+fn watertight_word(text: &str) -> Result<Option<bool>, String> {
+    match text {
+        "" => Ok(None),
+        "yes" => Ok(Some(true)),
+        "no" => Ok(Some(false)),
+        other => Err(format!("watertight `{other}` is neither yes nor no")),
     }
 }
 
@@ -221,7 +268,7 @@ pub(crate) mod tests {
         opened.check().expect("the file is there");
         // Lying flat with y up: 0.65 across, 0.6 / 2 of that high; with z up it stands on its tread.
         for (uid, size) in [("flat", [0.65, 0.65, 0.195]), ("up", [0.65, 0.195, 0.65])] {
-            let model = opened.get(uid).expect("listed").scaled_model().expect("a sound file");
+            let model = opened.get(uid).expect("readable").expect("listed").scaled_model().expect("a sound file");
             let (low, high) = model.bounds().expect("triangles");
             let sizes = (high - low).to_array();
             assert!(sizes.iter().zip(size).all(|(a, b)| (a - b).abs() < 1e-4), "{uid}: {sizes:?}");

@@ -80,6 +80,7 @@ impl Check {
         if !self.quick {
             let found = survey(&project)?;
             report.estimate = Some(self.estimate(&project, &found)?);
+            report.warnings.extend(warnings::of_models(&project.plan, &project.assets));
             report.warnings.extend(warnings::of_survey(&found));
         }
         if self.json {

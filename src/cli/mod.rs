@@ -10,6 +10,7 @@ macro_rules! say {
     }};
 }
 
+mod catalog;
 mod check;
 mod diff;
 mod finish;
@@ -23,6 +24,7 @@ mod schema;
 mod shards;
 mod signals;
 mod status;
+mod table;
 mod verify;
 mod water;
 
@@ -81,6 +83,7 @@ enum Verb {
     Water(water::WaterVerb),
     Realism(realism::Realism),
     Schema(schema::Schema),
+    Catalog(catalog::CatalogVerb),
 }
 
 /// A recipe on the command line, or a plan.
@@ -140,6 +143,7 @@ pub fn main() -> ExitCode {
         Verb::Water(verb) => verb.run(),
         Verb::Realism(verb) => verb.run(),
         Verb::Schema(verb) => verb.run(),
+        Verb::Catalog(verb) => verb.run(),
     };
     let code = outcome.unwrap_or_else(|error| {
         eprintln!("error: {error:#}");

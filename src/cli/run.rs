@@ -9,8 +9,9 @@ use clap::Args;
 use super::progress::Progress;
 use super::shards::ShardArgs;
 use super::{Code, RecipeArgs, processors, signals};
+use crate::plan::Packing;
 use crate::run::{Ended, Options, Project, RunError, finish_facts, run};
-use crate::store::{Identity, Store, Summary};
+use crate::store::{Identity, Pack, Store, Summary, layout};
 
 /// Renders a recipe or a plan into a dataset
 ///
@@ -62,6 +63,7 @@ impl Run {
             frames: project.plan.jobs.len() as u64,
             frames_a_scene: header.frames,
             recipe_text: project.recipe_text.as_deref(),
+            pack: (header.output.pack == Packing::Tar).then_some(Pack { tar_frames: header.output.tar_frames }),
             sets: &project.plan.sets,
             includes: &project.includes,
             plan_json: &project.plan_json,
@@ -142,7 +144,8 @@ impl Run {
 pub(super) fn report_summary(name: &str, root: &Path, summary: &Summary) {
     let folder = root.display();
     say!("{name}: {} frames, {} annotations", summary.frames, summary.annotations);
-    say!("  images       {folder}/images");
+    let images = if root.join(layout::TARS).is_dir() { layout::TARS } else { "images" };
+    say!("  images       {folder}/{images}");
     say!("  annotations  {folder}/annotations (COCO)");
     say!("  card         {folder}/README.md");
     say!("  dataset hash {}", summary.dataset_hash);

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::{Attribution, FinishInput};
+use crate::catalog::Licence;
+use crate::catalog::text::clean;
 use crate::label::View;
 use crate::store::{Counts, Fate, Misplaced, layout};
 
@@ -49,7 +51,13 @@ pub(crate) fn attribution(name: &str, attributions: &[Attribution]) -> String {
     let rows = models.into_iter().map(|m| {
         vec![format!("`{}`", m.uid), m.name.clone(), m.attribution.clone(), m.licence.clone(), m.source.clone()]
     });
-    text + &table(&["Model", "Name", "Attribution", "Licence", "Source"], rows)
+    text += &table(&["Model", "Name", "Attribution", "Licence", "Source"], rows);
+    let mut licences: Vec<Licence> = attributions.iter().map(|m| Licence::read(&m.licence)).collect();
+    licences.sort();
+    licences.dedup();
+    text += "\n## Licences\n\n";
+    let rows = licences.iter().map(|licence| vec![licence.id.clone(), licence.url()]);
+    text + &table(&["Licence", "Terms"], rows)
 }
 
 fn how_much(counts: &Counts, input: &FinishInput) -> String {
@@ -162,11 +170,16 @@ fn licences(attributions: &[Attribution]) -> String {
     text
 }
 
+/// A text that stays in its cell: on one line, no column of its own, no markup of a catalog's.
+fn cell(text: &str) -> String {
+    clean(text).replace('\\', "\\\\").replace('|', "\\|").replace('<', "&lt;")
+}
+
 /// A Markdown table.
 fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut text = format!("| {} |\n|{}\n", header.join(" | "), "---|".repeat(header.len()));
     for row in rows {
-        let cells: Vec<String> = row.iter().map(|cell| cell.replace('|', "\\|").replace(['\n', '\r'], " ")).collect();
+        let cells: Vec<String> = row.iter().map(|text| cell(text)).collect();
         writeln!(text, "| {} |", cells.join(" | ")).expect("a string takes all text");
     }
     text
@@ -180,7 +193,7 @@ mod tests {
     fn each_model_is_named_once_and_cannot_break_the_table() {
         let model = |uid: &str| Attribution {
             uid: uid.to_owned(),
-            name: "Tire | worn\n".to_owned(),
+            name: "Tire | worn <img src=x>\n\u{1b}[2J".to_owned(),
             attribution: "\"Tire\" by A. Person".to_owned(),
             licence: "CC-BY-4.0".to_owned(),
             source: "https://example.org".to_owned(),
@@ -188,6 +201,7 @@ mod tests {
         let text = attribution("test", &[model("b"), model("a"), model("b")]);
         assert_eq!(text.lines().filter(|line| line.starts_with("| `")).count(), 2);
         assert!(text.find("`a`") < text.find("`b`"));
-        assert!(text.contains("Tire \\| worn  |"), "{text}");
+        assert!(text.contains("Tire \\| worn &lt;img src=x> [2J |"), "{text}");
+        assert!(text.contains("| CC-BY-4.0 | https://creativecommons.org/licenses/by/4.0/ |"), "{text}");
     }
 }

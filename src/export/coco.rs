@@ -1,7 +1,7 @@
 //! COCO annotation files: one for each view and split, masks as compressed run lengths.
 //!
 //! Beyond the format's own keys, images name their `variant`, `scene`, `frame` and `look`, and annotations their `instance` (the value in the
-//! mask image) and `asset`. No dates, so that equal datasets have equal files.
+//! mask image), `asset` and the `license` of that; `assets` tells whose each is. No dates, so that equal datasets have equal files.
 //! Source: COCO data format, <https://cocodataset.org/#format-data>.
 
 use std::collections::BTreeMap;
@@ -9,6 +9,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::Attribution;
+use crate::catalog::Licence;
 use crate::label::View;
 use crate::store::{Dataset, ViewRecord, layout};
 
@@ -25,6 +27,8 @@ pub(crate) struct Coco<'a> {
     pub description: &'a str,
     /// Version of the program that made it.
     pub version: &'a str,
+    /// The models in the scenes.
+    pub attributions: &'a [Attribution],
     /// All frames; those of other splits are left out here.
     pub dataset: &'a Dataset,
 }
@@ -37,12 +41,21 @@ pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
     let info = Info { description: coco.description, version: coco.version };
     out.write_all(b"{\"info\":")?;
     serde_json::to_writer(&mut *out, &info)?;
-    out.write_all(b",\"licenses\":[],\"categories\":")?;
+    let licences = licences(coco.attributions);
+    let listed = licences.iter().map(|(name, id)| License { id: *id, name, url: Licence::read(name).url() });
+    out.write_all(b",\"licenses\":")?;
+    serde_json::to_writer(&mut *out, &listed.collect::<Vec<_>>())?;
+    let assets = coco.attributions.iter().map(|model| Asset::of(model, &licences));
+    out.write_all(b",\"assets\":")?;
+    serde_json::to_writer(&mut *out, &assets.collect::<Vec<_>>())?;
+    out.write_all(b",\"categories\":")?;
     serde_json::to_writer(&mut *out, &categories(coco.categories).collect::<Vec<_>>())?;
     let mut images = List::begin(out, "images")?;
     coco.each_image(&mut |image, _| images.item(&image))?;
     let mut annotations = List::begin(images.end()?, "annotations")?;
     let ids: BTreeMap<&str, u64> = coco.categories.iter().zip(1..).map(|(name, id)| (name.as_str(), id)).collect();
+    let of_asset: BTreeMap<&str, u64> =
+        coco.attributions.iter().map(|model| (model.uid.as_str(), licences[model.licence.as_str()])).collect();
     let mut id = 0;
     // Looks of a frame have the same annotations.
     coco.each_image(&mut |image, record| {
@@ -60,6 +73,7 @@ pub(crate) fn write(out: &mut dyn Write, coco: &Coco<'_>) -> io::Result<()> {
                 iscrowd: 0,
                 instance: annotation.body,
                 asset: &annotation.asset,
+                license: of_asset.get(annotation.asset.as_str()).copied(),
             })
         })
     })?;
@@ -101,6 +115,39 @@ struct Info<'a> {
 }
 
 #[derive(Serialize)]
+struct License<'a> {
+    id: u64,
+    name: &'a str,
+    url: String,
+}
+
+/// A model in the scenes: whose it is, and under which of the licences.
+#[derive(Serialize)]
+struct Asset<'a> {
+    /// As annotations call it.
+    asset: &'a str,
+    name: &'a str,
+    license: u64,
+    attribution: &'a str,
+    source: &'a str,
+}
+
+impl<'a> Asset<'a> {
+    fn of(model: &'a Attribution, licences: &BTreeMap<&str, u64>) -> Self {
+        let Attribution { uid, name, attribution, licence, source } = model;
+        Self { asset: uid, name, license: licences[licence.as_str()], attribution, source }
+    }
+}
+
+/// Numbers of all licences, from 1.
+fn licences(attributions: &[Attribution]) -> BTreeMap<&str, u64> {
+    let mut names: Vec<&str> = attributions.iter().map(|model| model.licence.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.into_iter().zip(1..).collect()
+}
+
+#[derive(Serialize)]
 struct Category<'a> {
     id: u64,
     name: &'a str,
@@ -132,6 +179,9 @@ struct Annotation<'a> {
     iscrowd: u8,
     instance: u16,
     asset: &'a str,
+    /// Licence of the asset; nothing for parts of an environment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    license: Option<u64>,
 }
 
 #[derive(Serialize)]

@@ -31,14 +31,14 @@ pub struct FinishInput {
     pub facts: Vec<(String, String)>,
     /// Objects that the plan asks for in all scenes.
     pub objects: u64,
-    /// The models in the scenes.
+    /// The models in the scenes, each once.
     pub attributions: Vec<Attribution>,
 }
 
 /// Whose a model is.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Attribution {
-    /// Catalog and uid.
+    /// Catalog and uid, as annotations call it.
     pub uid: String,
     /// Name of the model.
     pub name: String,
@@ -138,7 +138,8 @@ fn annotations(sealing: &Sealing<'_>, dataset: &Dataset, input: &FinishInput) ->
     for &view in &input.views {
         for split in &input.splits {
             let (categories, description) = (&input.categories, &input.description);
-            let coco = Coco { view, split, categories, description, version: VERSION, dataset };
+            let attributions = &input.attributions;
+            let coco = Coco { view, split, categories, description, version: VERSION, attributions, dataset };
             files.push(sealing.write_with(&layout::annotations(view, split), |out| coco::write(out, &coco))?);
         }
     }

@@ -194,8 +194,8 @@ impl<'a> Compiler<'a> {
         let ObjectEntry { label, pick, pose, clear_m, tries, on_failure, in_view } = entry;
         self.check_frames(item, in_view.as_ref(), choice.header)?;
         let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
-        let matching = catalog.pick(&pick).map_err(refuse)?;
-        let dealt = self.dealt(&catalog, &pick.catalog, matching, choice);
+        let matching = self.assets.pick(&pick).map_err(refuse)?;
+        let dealt = self.dealt(&catalog, &pick.catalog, &matching, choice);
         if dealt.is_empty() {
             let fault = format!(
                 "none of the models of this pick is dealt to the split {}; pick among more models, change the shares, or \
@@ -204,9 +204,13 @@ impl<'a> Compiler<'a> {
             );
             return Err(self.refuse(&format!("objects[{item}].pick"), &fault));
         }
-        let asset = dealt[choice.stream.below(dealt.len() as u64) as usize];
-        self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
+        let policy = &choice.header.licences;
+        let not_allowed = |fault: String| self.refuse(&format!("objects[{item}].pick"), &fault);
+        let allowed = policy.narrowed(dealt).map_err(not_allowed)?;
+        let asset = allowed[choice.stream.below(allowed.len() as u64) as usize];
         let key = format!("{}/{}", pick.catalog, asset.uid);
+        policy.check(&key, &asset.licence).map_err(not_allowed)?;
+        self.assets.solid(&pick.catalog, &asset.uid).map_err(refuse)?;
         if let Entry::Vacant(place) = locks.entry(key) {
             place.insert(AssetLock::of_model(asset).map_err(|error| self.unreadable(item, &asset.path, &error))?);
         }
@@ -261,20 +265,14 @@ impl<'a> Compiler<'a> {
     }
 
     /// Those of the models that scenes of this split may show.
-    fn dealt<'m>(
-        &self,
-        catalog: &Catalog,
-        name: &str,
-        matching: Vec<&'m Asset>,
-        choice: &Choice<'_>,
-    ) -> Vec<&'m Asset> {
+    fn dealt<'m>(&self, catalog: &Catalog, name: &str, matching: &'m [Asset], choice: &Choice<'_>) -> Vec<&'m Asset> {
         let Header { splits, seed, .. } = choice.header;
         if splits.by != SplitBy::Asset {
-            return matching;
+            return matching.iter().collect();
         }
         let mut deals = self.deals.borrow_mut();
         let deal = deals.entry(name.to_owned()).or_insert_with(|| Deal::of(splits, *seed, catalog));
-        matching.into_iter().filter(|asset| deal.is_in(&asset.uid, choice.split)).collect()
+        matching.iter().filter(|asset| deal.is_in(&asset.uid, choice.split)).collect()
     }
 
     /// Refuses what building the scene would refuse, with the place in the recipe.

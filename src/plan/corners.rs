@@ -9,6 +9,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 use super::compile::{Choice, Compiler, Files, variants};
 use super::sections::{Sections, Turn};
 use super::{AssetLock, Plan, PlanError, Split, SplitBy};
+use crate::catalog::licence::Others;
 use crate::catalog::{Catalog, Pick};
 use crate::math::rng::Stream;
 use crate::recipe::{Address, Corner, Draws, Level, Recipe};
@@ -197,9 +198,17 @@ impl Trial<'_> {
     /// Notes what a pick could give.
     fn note(&self, item: usize, pick: &Pick) -> Result<(), PlanError> {
         let refuse = |fault| self.compiler.refuse(&format!("objects[{item}].pick"), &fault);
-        let catalog = self.assets.catalog(&pick.catalog).map_err(refuse)?;
         let mut models = self.models.borrow_mut();
-        for asset in catalog.pick(pick).map_err(refuse)? {
+        for asset in self.assets.pick(pick).map_err(refuse)?.iter() {
+            let policy = &self.plan.header.licences;
+            let allowed = policy.check(&format!("{}/{}", pick.catalog, asset.uid), &asset.licence);
+            match (allowed, policy.others) {
+                (Ok(()), _) => {}
+                (Err(_), Others::LeaveOut) => continue,
+                (Err(fault), Others::Refuse) => {
+                    return Err(self.compiler.refuse(&format!("objects[{item}].pick"), &fault));
+                }
+            }
             models.entry((pick.catalog.clone(), asset.uid.clone())).or_insert(item);
         }
         Ok(())

@@ -7,7 +7,11 @@ use crate::catalog::Catalog;
 use crate::math::rng::Stream;
 
 /// The split of each model of a catalog.
-pub(super) struct Deal(BTreeMap<String, Split>);
+pub(super) struct Deal {
+    dealt: BTreeMap<String, Split>,
+    /// Models of a large collection are dealt as they are met.
+    singly: Option<(Splits, u64)>,
+}
 
 impl Deal {
     /// Deals a catalog's models by their uids: a catalog may be reached by several names.
@@ -21,12 +25,16 @@ impl Deal {
             Stratify::None => singly(splits, seed, &uids),
             Stratify::Label => within(splits, seed, uids),
         });
-        Self(dealt.map(|(uid, split)| (uid.to_owned(), split)).collect())
+        let dealt = dealt.map(|(uid, split)| (uid.to_owned(), split)).collect();
+        Self { dealt, singly: catalog.disk().map(|_| (*splits, seed)) }
     }
 
     /// Whether a model is dealt to a split.
     pub(super) fn is_in(&self, uid: &str, split: Split) -> bool {
-        self.0.get(uid) == Some(&split)
+        match self.singly {
+            Some((splits, seed)) => splits.of_key(seed, uid) == split,
+            None => self.dealt.get(uid) == Some(&split),
+        }
     }
 }
 

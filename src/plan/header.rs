@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::catalog::LicencePolicy;
 use crate::label::{LabelSettings, View};
 use crate::math::Impossible;
 use crate::math::rng::Stream;
@@ -22,6 +23,9 @@ pub struct Header {
     /// Frames a scene.
     #[serde(rename = "frames_per_scene")]
     pub frames: u64,
+    /// Which licences models may be under.
+    #[serde(skip_serializing_if = "LicencePolicy::is_default")]
+    pub licences: LicencePolicy,
     /// When a body is labelled.
     pub labels: LabelSettings,
     /// How frames are dealt out.
@@ -74,6 +78,10 @@ pub struct Output {
     pub raw: Raw,
     /// Height of the fan picture, pixels; its width follows from the aperture.
     pub fan_height_px: u32,
+    /// Whether files are packed; pictures and hashes are the same either way.
+    pub pack: Packing,
+    /// Frames in each tar file of a packed dataset.
+    pub tar_frames: u64,
 }
 
 impl Output {
@@ -84,7 +92,10 @@ impl Output {
         Impossible::unless(!twice, "output.views", "a view stands twice", help)?;
         let message = format!("a fan {} pixels high cannot be drawn", self.fan_height_px);
         let possible = (16..=8192).contains(&self.fan_height_px);
-        Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")
+        Impossible::unless(possible, "output.fan_height_px", message, "write a whole number from 16 to 8192")?;
+        let message = format!("tar files of {} frames cannot be written", self.tar_frames);
+        let help = format!("write a whole number from 1 to {MAX_JOBS}, such as 1000");
+        Impossible::unless((1..=MAX_JOBS).contains(&self.tar_frames), "output.tar_frames", message, &help)
     }
 }
 
@@ -96,6 +107,16 @@ pub enum Raw {
     None,
     /// OpenEXR, 32 bits a channel: intensity, elevation, incidence, instance, material.
     Exr,
+}
+
+/// Ways to write many files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Packing {
+    /// Each as it is.
+    None,
+    /// In tar files, as WebDataset has them.
+    Tar,
 }
 
 /// Shares of train, val and test.
@@ -246,6 +267,14 @@ mod tests {
         let count = (0..1000).filter(|i| SPLITS.of_key(7, &format!("starter/{i}")) == Split::Train).count();
         assert!((760..840).contains(&count), "{count}");
         assert_eq!(SPLITS.of_key(7, "starter/tire"), SPLITS.of_key(7, "starter/tire"));
+    }
+
+    #[test]
+    fn tar_files_hold_some_frames() {
+        let (views, raw, fan_height_px) = (vec![View::Polar], Raw::None, 768);
+        let output = |tar_frames| Output { views: views.clone(), raw, fan_height_px, pack: Packing::Tar, tar_frames };
+        assert!(output(1).check().is_ok() && output(MAX_JOBS).check().is_ok());
+        assert!(output(0).check().is_err() && output(u64::MAX).check().is_err());
     }
 
     #[test]

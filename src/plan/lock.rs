@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
-use crate::catalog::{Asset, Up};
+use crate::catalog::{Asset, Licence, Up};
 
 /// A model file pinned by its content.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,8 +31,9 @@ pub struct AssetLock {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Shown {
-    /// Longest side, metres.
-    pub size_m: f64,
+    /// Longest side, metres; none where the file and its label decide.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size_m: Option<f64>,
     /// Axis of the file that points up.
     pub up: Up,
     /// Material where the file names none.
@@ -46,7 +47,7 @@ impl AssetLock {
             sha256: sha256_of(&asset.path)?,
             shown: Some(Shown { size_m: asset.size_m, up: asset.up, material: asset.material.clone() }),
             name: asset.name.clone(),
-            licence: asset.licence.clone(),
+            licence: Licence::read(&asset.licence).id,
             attribution: asset.attribution.clone(),
             source: asset.source.clone(),
         })

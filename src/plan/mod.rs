@@ -23,7 +23,7 @@ use sha2::{Digest as _, Sha256};
 pub use compile::{compile, notes};
 pub use corners::{Tried, corners};
 pub use error::{PlanError, PlanFault};
-pub use header::{Header, Output, Raw, Split, SplitBy, Splits, Stratify};
+pub use header::{Header, Output, Packing, Raw, Split, SplitBy, Splits, Stratify};
 pub use lock::{AssetLock, Shown};
 pub use origin::{Origin, Origins};
 pub use read::read;

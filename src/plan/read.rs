@@ -9,6 +9,7 @@ use serde::Deserialize;
 
 use super::verify::Verifier;
 use super::{AssetLock, Header, Job, Output, Plan, PlanError, PlanFault, ScenePlan, Splits, VariantPlan};
+use crate::catalog::LicencePolicy;
 use crate::label::LabelSettings;
 use crate::scene::AssetCache;
 
@@ -31,6 +32,7 @@ pub fn read(name: &str, json: &[u8], folder: &Path, assets: &AssetCache) -> Resu
             seed: file.seed,
             scenes: file.scenes_per_variant,
             frames: file.frames_per_scene,
+            licences: file.licences,
             labels: file.labels,
             splits: file.splits,
             output: file.output,
@@ -56,6 +58,8 @@ struct File {
     seed: u64,
     scenes_per_variant: u64,
     frames_per_scene: u64,
+    #[serde(default)]
+    licences: LicencePolicy,
     labels: LabelSettings,
     splits: Splits,
     output: Output,

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::Look;
 use super::header::{Header, Output, Splits};
 use super::looks::{self, LookTree};
-use crate::catalog::{Pick, sonars};
+use crate::catalog::{LicencePolicy, Pick, sonars};
 use crate::label::LabelSettings;
 use crate::recipe::{self, Address, Corner, DEFAULTS, Draws, Lets, Level, Node, Origin, Recipe, Shared, Tree};
 use crate::scene::{EnvironmentSpec, InView, Multipath, OnFailure, PoseSpec, SeabedSpec};
@@ -15,7 +15,7 @@ use crate::sonar::Sonar;
 use crate::vehicle::{Trajectory, Vehicle};
 
 /// Top-level keys of a recipe.
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
     "ensonify",
     "name",
     "seed",
@@ -27,6 +27,7 @@ const KEYS: [&str; 20] = [
     "environment",
     "multipath",
     "objects",
+    "licences",
     "vehicle",
     "trajectory",
     "image",
@@ -43,7 +44,7 @@ pub(super) const SWEPT: [&str; 10] =
     ["let", "sonar", "water", "seabed", "environment", "multipath", "objects", "vehicle", "trajectory", "image"];
 
 /// Keys and sections that are the same for all frames.
-const CONSTANT: [&str; 7] = ["name", "seed", "scenes", "frames", "labels", "splits", "output"];
+const CONSTANT: [&str; 8] = ["name", "seed", "scenes", "frames", "licences", "labels", "splits", "output"];
 
 /// An item of `objects`, one instance of it drawn.
 #[derive(Clone, Debug, Deserialize)]
@@ -178,6 +179,7 @@ impl Sections {
             seed: self.required("seed")?,
             scenes: self.required("scenes")?,
             frames: self.required("frames")?,
+            licences: self.required::<LicencePolicy>("licences")?,
             labels: self.required::<LabelSettings>("labels")?,
             splits: self.required::<Splits>("splits")?,
             output: self.required::<Output>("output")?,

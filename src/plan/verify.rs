@@ -113,8 +113,9 @@ impl Verifier<'_> {
             let unusable = |fault: CatalogError| self.unusable(&place, &fault);
             let catalog = self.assets.catalog(&body.catalog).map_err(unusable)?;
             let asset = catalog.pick_uid(&body.catalog, &body.uid).map_err(unusable)?;
-            let found = AssetLock::of_model(asset).map_err(|error| self.unreadable(&place, &asset.path, &error))?;
+            let found = AssetLock::of_model(&asset).map_err(|error| self.unreadable(&place, &asset.path, &error))?;
             let lock = self.held(plan, &key, found)?;
+            plan.header.licences.check(&key, &lock.licence).map_err(|fault| self.message(&place, &fault))?;
             used.insert(key, lock);
         }
         let seabed = spec.seabed.as_ref().and_then(|seabed| seabed.file()).map(|file| ("seabed", file));

@@ -11,7 +11,7 @@ use super::RealismError;
 use super::geometry::FanGeometry;
 use crate::label::View;
 use crate::sonar::{FanMap, Grid};
-use crate::store::{Dataset, layout};
+use crate::store::{Dataset, Place, layout};
 
 /// What a plain folder does not tell of itself. A dataset needs none of it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,8 +39,8 @@ pub struct Source {
 /// Files of one frame.
 #[derive(Clone, Debug)]
 pub(super) struct FrameFiles {
-    image: PathBuf,
-    mask: Option<PathBuf>,
+    image: Place,
+    mask: Option<Place>,
     /// Labels of the mask's values, where they are known.
     labels: BTreeMap<u16, String>,
     /// Index of the shape.
@@ -102,8 +102,8 @@ impl Source {
             // Of several looks the first is measured: it is the one that the others vary.
             let look = record.looks.first().map(String::as_str);
             frames.push(FrameFiles {
-                image: root.join(layout::image(View::Fan, &record.name, look)),
-                mask: Some(root.join(layout::mask(View::Fan, &record.name))),
+                image: dataset.place(&record, &layout::image(View::Fan, &record.name, look)),
+                mask: Some(dataset.place(&record, &layout::mask(View::Fan, &record.name))),
                 labels: fan.annotations.iter().map(|seen| (seen.body, seen.label.clone())).collect(),
                 shape,
             });
@@ -133,18 +133,19 @@ impl Source {
                     sizes.len() - 1
                 }
             };
-            let mask = options.masks.as_ref().zip(image.file_name()).map(|(folder, name)| folder.join(name));
-            frames.push(FrameFiles { image, mask, labels: BTreeMap::new(), shape });
+            let mask =
+                options.masks.as_ref().zip(image.file_name()).map(|(folder, name)| Place::whole(folder.join(name)));
+            frames.push(FrameFiles { image: Place::whole(image), mask, labels: BTreeMap::new(), shape });
         }
         Ok(Self { shapes, frames })
     }
 
     /// Reads a frame's files.
     pub(super) fn load<'a>(&'a self, files: &'a FrameFiles) -> Result<Frame<'a>, RealismError> {
-        let picture = image::open(&files.image).map_err(|error| unreadable(&files.image, &error))?.into_luma8();
+        let picture = open(&files.image)?.into_luma8();
         let (width, height) = picture.dimensions();
         let fan = &self.shapes[files.shape];
-        let mask = files.mask.as_ref().map(|path| read_mask(path, (width, height))).transpose()?;
+        let mask = files.mask.as_ref().map(|place| read_mask(place, (width, height))).transpose()?;
         Ok(Frame {
             fan,
             width: width as usize,
@@ -179,9 +180,14 @@ impl Frame<'_> {
     }
 }
 
-fn read_mask(path: &Path, size: (u32, u32)) -> Result<Vec<u16>, RealismError> {
-    let refuse = |reason: String| RealismError::Image { path: path.to_path_buf(), reason };
-    let mask = image::open(path).map_err(|error| unreadable(path, &error))?;
+fn open(place: &Place) -> Result<DynamicImage, RealismError> {
+    let picture = place.read().map_err(image::ImageError::IoError).and_then(|bytes| image::load_from_memory(&bytes));
+    picture.map_err(|error| unreadable(&place.path, &error))
+}
+
+fn read_mask(place: &Place, size: (u32, u32)) -> Result<Vec<u16>, RealismError> {
+    let refuse = |reason: String| RealismError::Image { path: place.path.clone(), reason };
+    let mask = open(place)?;
     if (mask.width(), mask.height()) != size {
         let (width, height) = size;
         return Err(refuse(format!("is {} × {}, its image {width} × {height}", mask.width(), mask.height())));

@@ -6,8 +6,8 @@ use super::Project;
 use super::render::{Frame, pose_numbers};
 use super::world::World;
 use crate::export::{Attribution, FinishInput};
-use crate::plan::{Job, Plan, Split};
-use crate::scene::Built;
+use crate::plan::{Job, Packing, Plan, Split};
+use crate::scene::{Built, asset_name};
 use crate::store::{Fate, FrameRecord, Misplaced, NewFile, ViewRecord, exr, layout, png};
 
 /// The record of a frame and the files that it brings.
@@ -82,12 +82,15 @@ fn misplaced(world: &World) -> Vec<Misplaced> {
 pub(super) fn finish_input(project: &Project) -> FinishInput {
     let plan = &project.plan;
     let attribution = |(key, lock): (&String, &crate::plan::AssetLock)| Attribution {
-        uid: key.clone(),
+        uid: key.rsplit_once('/').map_or_else(|| key.clone(), |(catalog, uid)| asset_name(catalog, uid)),
         name: lock.name.clone(),
         attribution: lock.attribution.clone(),
         licence: lock.licence.clone(),
         source: lock.source.clone(),
     };
+    let mut attributions: Vec<Attribution> = plan.assets.iter().map(attribution).collect();
+    attributions.sort();
+    attributions.dedup();
     FinishInput {
         description: format!("Synthetic forward-looking sonar: {}", plan.header.name),
         seed: plan.header.seed,
@@ -96,7 +99,7 @@ pub(super) fn finish_input(project: &Project) -> FinishInput {
         categories: categories(project),
         objects: plan.scenes.iter().map(|scene| scene.spec.bodies.len() as u64).sum(),
         facts: facts(plan),
-        attributions: plan.assets.iter().map(attribution).collect(),
+        attributions,
     }
 }
 
@@ -130,6 +133,14 @@ fn facts(plan: &Plan) -> Vec<(String, String)> {
     }
     let mut facts =
         vec![("Sonar".to_owned(), sonars.join("; ")), ("Scenes".to_owned(), plan.header.scenes.to_string())];
+    let output = &plan.header.output;
+    if output.pack == Packing::Tar {
+        let frame = layout::frame_name(0, plan.variants.first().map(|variant| variant.id.as_str()));
+        let path = layout::image(output.views[0], &frame, None);
+        let text =
+            format!("{} frames a tar file: `{path}` is `{}` there", output.tar_frames, layout::member(&frame, &path));
+        facts.push(("Files".to_owned(), format!("in `{}/`, {text}", layout::TARS)));
+    }
     facts.extend(plan.variants.iter().map(|variant| (format!("Variant {}", variant.id), variant.description.clone())));
     facts
 }

@@ -139,13 +139,17 @@ pub fn run(
     if let Some(error) = shift.broken.into_inner().unwrap_or_else(PoisonError::into_inner) {
         return Err(error.into());
     }
+    let left = store.missing().len() as u64;
+    if left == 0 || !stop.load(Ordering::Relaxed) {
+        store.pack()?;
+    }
     let mut failed = shift.failed.into_inner().unwrap_or_else(PoisonError::into_inner);
     if !failed.is_empty() {
         failed.sort();
         return Ok(Ended::Failed(failed));
     }
     let dataset = store.dataset();
-    match (store.missing().len() as u64, dataset.planned() - dataset.done()) {
+    match (left, dataset.planned() - dataset.done()) {
         (0, 0) if store.shard() == Shard::WHOLE => {
             Ok(Ended::Complete(finish(&dataset, &files::finish_input(project), Extent::Whole)?))
         }

@@ -5,10 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 
 use super::survey::{InView, Sight, Survey};
+use crate::catalog::solidity::facet_error;
 use crate::image::Channel;
 use crate::image::reach::REACH_SEABED_DB;
 use crate::physics::absorption::francois_garrison;
 use crate::plan::{Plan, SplitBy};
+use crate::scene::AssetCache;
 
 /// Most warnings on acoustics.
 const MOST_ACOUSTIC: usize = 8;
@@ -16,6 +18,10 @@ const MOST_ACOUSTIC: usize = 8;
 const UNBALANCED: u64 = 10;
 /// Share of views below which a class is hardly ever in view.
 const HARDLY: f64 = 0.05;
+/// Most models that are told to be coarse.
+const MOST_COARSE: usize = 8;
+/// Speed of sound that resolutions are told by, m/s.
+const NOMINAL_SPEED: f64 = 1500.0;
 /// Most names in a line.
 const MOST_NAMES: usize = 5;
 
@@ -32,6 +38,27 @@ pub struct Warning {
 #[must_use]
 pub fn of_plan(plan: &Plan) -> Vec<Warning> {
     splits(plan).into_iter().chain(balance(plan)).chain(acoustics(plan)).collect()
+}
+
+/// Models that are coarser than the sonars resolve: their facets glint where the thing itself is round.
+#[must_use]
+pub fn of_models(plan: &Plan, assets: &AssetCache) -> Vec<Warning> {
+    let bandwidth = plan.jobs.iter().map(|job| job.sonar.bandwidth_khz).fold(0.0, f64::max);
+    let resolution = NOMINAL_SPEED / (2.0 * 1000.0 * bandwidth.max(1e-3));
+    let bodies = plan.scenes.iter().flat_map(|scene| &scene.spec.bodies);
+    let models: BTreeSet<(&str, &str)> = bodies.map(|body| (body.catalog.as_str(), body.uid.as_str())).collect();
+    let coarse = models.into_iter().filter_map(|(catalog, uid)| {
+        let solid = assets.solid(catalog, uid).ok()?;
+        let error = facet_error(solid.mesh.triangles());
+        let text = format!(
+            "{catalog}/{uid} is coarse: its facets depart by {:.1} cm from the round shape that they stand for, and the sonar resolves \
+             {:.1} cm in range; take a finer model",
+            100.0 * error,
+            100.0 * resolution
+        );
+        (error > resolution).then_some(Warning { kind: "coarse", text })
+    });
+    coarse.take(MOST_COARSE).collect()
 }
 
 /// What a look at some of its scenes tells.

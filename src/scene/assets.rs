@@ -8,8 +8,7 @@ use super::environment::{Environment, EnvironmentSpec};
 use super::mesh::Mesh;
 use super::placement::Shape;
 use super::seabed::{Raster, SeabedError};
-use crate::catalog::materials::{UNKNOWN, material_in_name};
-use crate::catalog::{Catalog, CatalogError, find_catalog};
+use crate::catalog::{Asset, Catalog, CatalogError, Pick, find_catalog};
 use crate::vehicle::{Track, TrackError};
 
 /// A model of a catalog as a mesh: the middle of its base at the origin, metres.
@@ -34,6 +33,7 @@ impl Solid {
 pub struct AssetCache {
     recipe_dir: PathBuf,
     catalogs: Slots<String, Catalog>,
+    picks: Slots<String, Vec<Asset>>,
     solids: Slots<(String, String), Solid>,
     environments: Slots<(String, String, String), Environment>,
     rasters: Slots<String, Raster>,
@@ -54,6 +54,7 @@ impl AssetCache {
         Self {
             recipe_dir: recipe_dir.to_path_buf(),
             catalogs: Slots::default(),
+            picks: Slots::default(),
             solids: Slots::default(),
             environments: Slots::default(),
             rasters: Slots::default(),
@@ -69,6 +70,14 @@ impl AssetCache {
         self.catalogs.get(name.into(), || Catalog::open(&find_catalog(name, &self.recipe_dir)?))
     }
 
+    /// The models that a pick names.
+    ///
+    /// # Errors
+    /// If the catalog is wrong or has no such model.
+    pub fn pick(&self, pick: &Pick) -> Result<Arc<Vec<Asset>>, CatalogError> {
+        self.picks.get(format!("{pick:?}"), || self.catalog(&pick.catalog)?.pick(pick))
+    }
+
     /// A model of a catalog, scaled to its size.
     ///
     /// # Errors
@@ -78,8 +87,7 @@ impl AssetCache {
             let index = self.catalog(catalog)?;
             let asset = index.pick_uid(catalog, uid)?;
             let mesh = Mesh::from_parts(&asset.scaled_model()?.parts);
-            let otherwise = if asset.material.is_empty() { UNKNOWN } else { &asset.material };
-            let materials = mesh.materials.iter().map(|name| material_in_name(name).unwrap_or(otherwise).into());
+            let materials = mesh.materials.iter().map(|name| asset.material_of(name).into());
             Ok(Solid { materials: materials.collect(), mesh: Arc::new(mesh), shape: OnceLock::new() })
         })
     }

@@ -324,7 +324,7 @@ impl Layout<'_> {
         let mut builder = Builder { scene: scene.clone() };
         let (mut dropped, mut overlaps) = (Vec::new(), Vec::new());
         for (number, (body, place)) in self.spec.bodies.iter().zip(places).enumerate() {
-            let (label, asset) = (body.label.clone(), asset_name(body));
+            let (label, asset) = (body.label.clone(), asset_name(&body.catalog, &body.uid));
             let standing = match place {
                 Ok(standing) => standing,
                 Err(reason) if body.on_failure == OnFailure::Fail => {
@@ -338,7 +338,10 @@ impl Layout<'_> {
             };
             overlaps.extend(standing.overlaps.iter().map(|whose| {
                 let with = match whose {
-                    Whose::Object(other) => asset_name(&self.spec.bodies[*other]),
+                    Whose::Object(other) => {
+                        let other = &self.spec.bodies[*other];
+                        asset_name(&other.catalog, &other.uid)
+                    }
                     Whose::Part(_) => "the environment".to_owned(),
                     Whose::Rope => "a rope".to_owned(),
                 };
@@ -356,10 +359,11 @@ impl Layout<'_> {
     }
 }
 
-/// Catalog and uid; of a catalog given as a folder, the folder's own name.
-fn asset_name(body: &BodySpec) -> String {
-    let catalog = body.catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
-    format!("{catalog}/{}", body.uid)
+/// What annotations call a model: catalog and uid; of a catalog given as a folder, the folder's own name.
+#[must_use]
+pub fn asset_name(catalog: &str, uid: &str) -> String {
+    let catalog = catalog.trim_end_matches('/').rsplit('/').next().unwrap_or_default();
+    format!("{catalog}/{uid}")
 }
 
 #[derive(Default)]

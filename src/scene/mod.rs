@@ -17,7 +17,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 pub use assets::{AssetCache, Tracks};
-pub use build::{Built, Dropped, Overlap, SceneError, SceneSpec, build, build_in_view};
+pub use build::{Built, Dropped, Overlap, SceneError, SceneSpec, asset_name, build, build_in_view};
 pub use bvh::{Bvh, Hit};
 pub use environment::{EnvironmentError, EnvironmentSpec, Kind, Labels};
 pub use ground::Ground;

@@ -8,10 +8,15 @@ use std::path::Path;
 use super::atomic::{self, Writer};
 use super::{FileRecord, StoreError, layout};
 
-/// Ids of the listed frames whose files still differ.
+/// Ids of the listed frames whose files still differ. Packed ones are all listed: where they lie now is for the caller to
+/// find out.
 pub(crate) fn frames(root: &Path) -> Result<BTreeSet<u64>, StoreError> {
     let listed = read(root)?;
-    Ok(listed.into_iter().filter(|(_, file)| !is_right(root, file)).map(|(id, _)| id).collect())
+    Ok(listed
+        .into_iter()
+        .filter(|(_, file)| layout::is_packed(&file.path) || !is_right(root, file))
+        .map(|(id, _)| id)
+        .collect())
 }
 
 /// Writes the list anew.

@@ -1,11 +1,12 @@
 //! A dataset folder as it lies there, whoever writes it: which frames it has, and their records.
 
 use std::fs;
+use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use super::index::{Index, Records};
 use super::manifest::Manifest;
-use super::{FrameRecord, StoreError, layout};
+use super::{FrameRecord, StoreError, layout, pack};
 
 /// A dataset folder to read from.
 #[derive(Clone, Debug)]
@@ -14,6 +15,36 @@ pub struct Dataset {
     /// As it lies there, results of an earlier finishing included.
     pub(super) manifest: Manifest,
     pub(super) index: Index,
+}
+
+/// Where the bytes of a file are: in a file of their own, or in a tar file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file on the disk.
+    pub path: PathBuf,
+    /// Where in it and how many bytes; none: all of it.
+    pub stretch: Option<(u64, u64)>,
+}
+
+impl Place {
+    /// A file that is all its own.
+    #[must_use]
+    pub fn whole(path: PathBuf) -> Self {
+        Self { path, stretch: None }
+    }
+
+    /// Reads the bytes.
+    ///
+    /// # Errors
+    /// The system's, or an unexpected end where a tar file was cut off.
+    pub fn read(&self) -> io::Result<Vec<u8>> {
+        let Some((offset, length)) = self.stretch else { return fs::read(&self.path) };
+        let mut file = fs::File::open(&self.path)?;
+        file.seek(SeekFrom::Start(offset))?;
+        let mut bytes = Vec::new();
+        file.take(length).read_to_end(&mut bytes)?;
+        if bytes.len() as u64 == length { Ok(bytes) } else { Err(io::ErrorKind::UnexpectedEof.into()) }
+    }
 }
 
 impl Dataset {
@@ -83,6 +114,16 @@ impl Dataset {
     #[must_use]
     pub fn records(&self) -> Records<'_, FrameRecord> {
         self.index.records()
+    }
+
+    /// Where a frame's file is, by its path in the record.
+    #[must_use]
+    pub fn place(&self, record: &FrameRecord, path: &str) -> Place {
+        let packed = self.index.packed(record.id).and_then(|(tar, spot)| {
+            let (file, offset) = pack::members(&record.files).find(|(file, _)| file.path == path)?;
+            Some(Place { path: self.root.join(spot.path(tar)), stretch: Some((spot.offset + offset, file.bytes)) })
+        });
+        packed.unwrap_or_else(|| Place::whole(self.root.join(path)))
     }
 
     /// What a run left for finishing.

@@ -11,7 +11,8 @@ use super::dataset::Dataset;
 use super::index::Index;
 use super::journal::Journal;
 use super::manifest::{IncludeLock, Manifest};
-use super::{FrameRecord, Shard, StoreError, claim, layout, line};
+use super::pack::{Frames, Packer, Spot, assemble, untidy};
+use super::{FrameRecord, Pack, Shard, StoreError, claim, layout, line};
 
 /// What makes a dataset the one that it is.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +27,8 @@ pub struct Identity<'a> {
     pub frames_a_scene: u64,
     /// The recipe as given; none where a plan was given instead.
     pub recipe_text: Option<&'a str>,
+    /// How frames' files are packed; none: they are loose.
+    pub pack: Option<Pack>,
     /// Changes that were made to it, `path=value`.
     pub sets: &'a [String],
     /// Files that it includes.
@@ -49,6 +52,8 @@ pub struct NewFile {
 #[derive(Debug)]
 pub struct Store {
     writer: Writer,
+    /// None where files are loose.
+    packer: Option<Packer>,
     /// Without the results of finishing.
     manifest: Manifest,
     shard: Shard,
@@ -99,7 +104,16 @@ impl Store {
         let journal = Journal::open(&writer, shard)?;
         let index = Index::read(root, identity.frames, Some(&layout::journal(shard)))?;
         let jobs = shard.jobs(identity.frames, identity.frames_a_scene);
-        Ok(Self { writer, manifest: ours, shard, jobs, progress: Mutex::new(Progress { journal, index }), lock })
+        let packer = identity.pack.map(|pack| Packer::new(root, shard, jobs.start, pack));
+        Ok(Self {
+            writer,
+            packer,
+            manifest: ours,
+            shard,
+            jobs,
+            progress: Mutex::new(Progress { journal, index }),
+            lock,
+        })
     }
 
     /// Writes a frame's files and then journals it; `record.files` is filled in here. Threads may call this at once,
@@ -108,19 +122,61 @@ impl Store {
     /// # Errors
     /// [`StoreError`] if a file cannot be written or the record cannot be kept; the frame is then unfinished.
     pub fn commit(&self, mut record: FrameRecord, files: &[NewFile]) -> Result<(), StoreError> {
-        let refuse = |reason: String| StoreError::Record { path: self.root().to_path_buf(), id: record.id, reason };
+        let id = record.id;
+        let refuse = |reason: String| StoreError::Record { path: self.root().to_path_buf(), id, reason };
         if record.id >= self.manifest.frames {
             return Err(refuse(format!("the plan has {} frames", self.manifest.frames)));
         }
-        record.files = self.writer.write_all(files)?;
-        let (line, record) = line::done(&record).map_err(|error| refuse(error.to_string()))?;
-        let (file, path) = {
+        let block = match &self.packer {
+            Some(packer) => {
+                let newest = |tar: &str| self.progress().index.newest_part(tar);
+                Some(packer.append(&mut record, files, newest)?)
+            }
+            None => {
+                record.files = self.writer.write_all(files)?;
+                None
+            }
+        };
+        let (line, record) = line::done(&record, block.clone()).map_err(|error| refuse(error.to_string()))?;
+        let (file, path, full) = {
             let Progress { journal, index } = &mut *self.progress();
             let (offset, file) = journal.append(&line)?;
-            index.add(journal.path(), record.id, offset, line.len());
-            (file, journal.path().to_path_buf())
+            index.add(journal.path(), record.id, (offset, line.len()), block.as_ref());
+            (file, journal.path().to_path_buf(), self.filled(index, record.id))
         };
-        file.sync_data().map_err(StoreError::io("sync", &path))
+        file.sync_data().map_err(StoreError::io("sync", &path))?;
+        full.map_or(Ok(()), |(packer, tar, frames)| self.assemble(packer, &tar, &frames))
+    }
+
+    /// The tar file of a frame and all its frames, if this one is the last that was missing.
+    fn filled(&self, index: &Index, id: u64) -> Option<(&Packer, String, Frames)> {
+        let packer = self.packer.as_ref()?;
+        let (tar, range) = packer.tar_of(id);
+        let ids = range.start..range.end.min(self.jobs.end);
+        // Frames come nearly in order, so the last ones are most likely to be missing.
+        if !ids.clone().rev().all(|id| index.has(id)) {
+            return None;
+        }
+        let spot = |id| index.packed(id).filter(|(of, _)| *of == tar).map(|(_, spot)| (id, spot));
+        let frames = ids.filter_map(spot).collect();
+        Some((packer, tar, frames))
+    }
+
+    fn assemble(&self, packer: &Packer, tar: &str, frames: &[(u64, Spot)]) -> Result<(), StoreError> {
+        packer.close(tar);
+        let placed = assemble(self.root(), tar, frames)?;
+        self.progress().index.moved(&placed);
+        Ok(())
+    }
+
+    /// Puts the shard's tar files in order with the frames that are there. Nothing where files are loose.
+    ///
+    /// # Errors
+    /// [`StoreError`] if a tar file cannot be written; no frame is lost then.
+    pub fn pack(&self) -> Result<(), StoreError> {
+        let Some(packer) = &self.packer else { return Ok(()) };
+        let untidy = untidy(self.root(), &self.progress().index, |shard| shard == self.shard)?;
+        untidy.iter().try_for_each(|(tar, frames)| self.assemble(packer, tar, frames))
     }
 
     /// Journals that a frame cannot be rendered, and why.

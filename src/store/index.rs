@@ -1,6 +1,6 @@
 //! Where every finished frame's record lies in the journals: what is kept in memory of a dataset, however large.
 
-use std::collections::{BTreeMap, btree_map};
+use std::collections::{BTreeMap, BTreeSet, btree_map};
 use std::fs::{self, File};
 use std::io::{BufReader, Read as _};
 use std::marker::PhantomData;
@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::line::{self, Outcome};
+use super::line::{self, Head, Outcome};
+use super::pack::{Block, Shelf, Spot};
 use super::{FileRecord, StoreError, damage, journal, layout};
 
 /// The finished frames of a dataset.
@@ -18,6 +19,9 @@ pub(crate) struct Index {
     /// The journals, sorted by name.
     journals: Vec<PathBuf>,
     places: BTreeMap<u64, Place>,
+    /// Of packed frames: number of the tar file, and where there.
+    packed: BTreeMap<u64, (u32, Spot)>,
+    tars: Tars,
     /// Frames that could not be rendered, and are still not there.
     failed: BTreeMap<u64, String>,
 }
@@ -30,9 +34,19 @@ struct Place {
     length: u32,
 }
 
+/// Tar files that the journals tell of, numbered as they come.
+#[derive(Clone, Debug, Default)]
+struct Tars {
+    numbers: BTreeMap<String, u32>,
+    names: Vec<String>,
+    /// The newest part of each.
+    newest: Vec<u32>,
+}
+
 /// The part of a record that tells whether the frame is there.
 #[derive(Deserialize)]
 pub(crate) struct Files {
+    pub name: String,
     pub files: Vec<FileRecord>,
 }
 
@@ -42,33 +56,56 @@ impl Index {
     /// frame the last counts. Changes nothing.
     pub fn read(root: &Path, frames: u64, ours: Option<&str>) -> Result<Self, StoreError> {
         let mut index = Self { journals: journals(root, ours)?, ..Self::default() };
-        let damaged = damage::frames(root)?;
+        let mut unreadable = None;
+        let mut reader = Reader { root, damaged: damage::frames(root)?, shelf: Shelf::new(root) };
         for number in 0..index.journals.len() {
             let path = index.journals[number].clone();
             journal::each_line(&path, |text, offset| {
                 let Some((head, outcome)) = line::parse(text).filter(|(head, _)| head.id < frames) else { return };
                 match outcome {
-                    Outcome::Done(frame) if is_whole(root, frame) && !damaged.contains(&head.id) => {
-                        // Lines are shorter than 4 GB: a record is held in memory when it is written.
-                        let place = Place { journal: number as u32, offset, length: text.len() as u32 };
-                        index.places.insert(head.id, place);
+                    Outcome::Done(frame) => {
+                        let tar = head.block.as_ref().map(|block| index.tars.number(block));
+                        let there = reader.is_there(&head, frame).unwrap_or_else(|error| {
+                            unreadable.get_or_insert(error);
+                            None
+                        });
+                        if let Some(spot) = there {
+                            // Lines are shorter than 4 GB: a record is held in memory when it is written.
+                            let (journal, length) = (number as u32, text.len() as u32);
+                            index.put(head.id, Place { journal, offset, length }, tar.zip(spot));
+                        }
                     }
-                    Outcome::Done(_) => {}
                     Outcome::Failed(reason) => {
                         index.failed.insert(head.id, reason);
                     }
                 }
             })?;
         }
+        // A disk that fails for a moment must not make frames count as lost: their tars would be rewritten without them.
+        if let Some(error) = unreadable {
+            return Err(error);
+        }
         index.failed.retain(|id, _| !index.places.contains_key(id));
         Ok(index)
     }
 
-    /// Takes a new record in.
-    pub fn add(&mut self, journal: &Path, id: u64, offset: u64, length: usize) {
+    /// Takes a new record in, whose files are in a block or loose.
+    pub fn add(&mut self, journal: &Path, id: u64, (offset, length): (u64, usize), block: Option<&Block>) {
         let journal = self.journals.iter().position(|path| path == journal).expect("the shard's own journal is listed");
-        self.places.insert(id, Place { journal: journal as u32, offset, length: length as u32 });
+        let packed = block.map(|block| {
+            let spot = Spot { part: Some(block.part), offset: block.offset, length: block.length };
+            (self.tars.number(block), spot)
+        });
+        self.put(id, Place { journal: journal as u32, offset, length: length as u32 }, packed);
         self.failed.remove(&id);
+    }
+
+    fn put(&mut self, id: u64, place: Place, packed: Option<(u32, Spot)>) {
+        self.places.insert(id, place);
+        match packed {
+            Some(packed) => self.packed.insert(id, packed),
+            None => self.packed.remove(&id),
+        };
     }
 
     /// Takes a failure in.
@@ -78,6 +115,35 @@ impl Index {
 
     pub fn has(&self, id: u64) -> bool {
         self.places.contains_key(&id)
+    }
+
+    /// Tar file of a frame and where it is there; none of a frame whose files are loose.
+    pub fn packed(&self, id: u64) -> Option<(&str, Spot)> {
+        let &(tar, spot) = self.packed.get(&id)?;
+        Some((&self.tars.names[tar as usize], spot))
+    }
+
+    /// Tar files with their frames, sorted.
+    pub fn tars(&self) -> BTreeMap<String, Vec<(u64, Spot)>> {
+        let mut tars: BTreeMap<u32, Vec<(u64, Spot)>> = BTreeMap::new();
+        for (&id, &(tar, spot)) in &self.packed {
+            tars.entry(tar).or_default().push((id, spot));
+        }
+        tars.into_iter().map(|(tar, frames)| (self.tars.names[tar as usize].clone(), frames)).collect()
+    }
+
+    /// Number of the newest part of a tar file that a journal tells of.
+    pub fn newest_part(&self, tar: &str) -> Option<u32> {
+        Some(self.tars.newest[*self.tars.numbers.get(tar)? as usize])
+    }
+
+    /// Takes in where frames lie now.
+    pub fn moved(&mut self, frames: &[(u64, Spot)]) {
+        for &(id, spot) in frames {
+            if let Some((_, there)) = self.packed.get_mut(&id) {
+                *there = spot;
+            }
+        }
     }
 
     /// How many frames are finished.
@@ -144,9 +210,46 @@ impl<T: DeserializeOwned> Iterator for Records<'_, T> {
     }
 }
 
+impl Tars {
+    fn number(&mut self, block: &Block) -> u32 {
+        let number = match self.numbers.get(&block.tar) {
+            Some(&number) => number,
+            None => {
+                let number = self.names.len() as u32;
+                self.numbers.insert(block.tar.clone(), number);
+                self.names.push(block.tar.clone());
+                self.newest.push(block.part);
+                number
+            }
+        };
+        let newest = &mut self.newest[number as usize];
+        *newest = block.part.max(*newest);
+        number
+    }
+}
+
+/// Tells whether frames are there.
+struct Reader<'a> {
+    root: &'a Path,
+    damaged: BTreeSet<u64>,
+    shelf: Shelf,
+}
+
+impl Reader<'_> {
+    /// Whether a frame is there, and where if it is packed.
+    fn is_there(&mut self, head: &Head, frame: &str) -> Result<Option<Option<Spot>>, StoreError> {
+        let is_damaged = self.damaged.contains(&head.id);
+        let Some(block) = &head.block else {
+            return Ok((is_whole(self.root, frame) && !is_damaged).then_some(None));
+        };
+        let spot = self.shelf.find(head.id, block)?;
+        Ok(spot.filter(|&spot| !is_damaged || self.shelf.is_right(spot, block)).map(Some))
+    }
+}
+
 /// Whether a frame's files are all there with their lengths.
 fn is_whole(root: &Path, frame: &str) -> bool {
-    let Ok(Files { files }) = serde_json::from_str(frame) else { return false };
+    let Ok(Files { files, .. }) = serde_json::from_str(frame) else { return false };
     files
         .iter()
         .all(|file| fs::metadata(root.join(&file.path)).is_ok_and(|data| data.is_file() && data.len() == file.bytes))

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FrameRecord;
 use super::atomic::sha256;
+use super::pack::Block;
 use crate::label::View;
 
 const START: &str = r#"{"check":""#;
@@ -36,6 +37,9 @@ pub(crate) struct Head {
     /// Annotations of each view and label.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub annotations: BTreeMap<View, BTreeMap<String, u64>>,
+    /// Where the frame's files were put if they are packed; here and not in the record, which is the same for both.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub block: Option<Block>,
 }
 
 /// How a frame ended.
@@ -51,7 +55,7 @@ pub(crate) enum Outcome<'a> {
 ///
 /// Everything derived from a record must come from the second, so that a run that was interrupted writes the same digits
 /// as one that was not, whatever rounding reading numbers does.
-pub(crate) fn done(record: &FrameRecord) -> Result<(String, FrameRecord), serde_json::Error> {
+pub(crate) fn done(record: &FrameRecord, block: Option<Block>) -> Result<(String, FrameRecord), serde_json::Error> {
     let frame = serde_json::to_string(record)?;
     let read_back = serde_json::from_str(&frame)?;
     let mut annotations: BTreeMap<View, BTreeMap<String, u64>> = BTreeMap::new();
@@ -60,13 +64,13 @@ pub(crate) fn done(record: &FrameRecord) -> Result<(String, FrameRecord), serde_
         seen.annotations.iter().for_each(|a| *labels.entry(a.label.clone()).or_default() += 1);
     }
     let bytes = record.files.iter().map(|file| file.bytes).sum();
-    let head = Head { id: record.id, at: now(), bytes, split: record.split.clone(), annotations };
+    let head = Head { id: record.id, at: now(), bytes, split: record.split.clone(), annotations, block };
     Ok((line(&serde_json::to_string(&head)?, FRAME, &frame), read_back))
 }
 
 /// The line of a frame that cannot be rendered.
 pub(crate) fn failed(id: u64, reason: &str) -> String {
-    let head = Head { id, at: now(), bytes: 0, split: String::new(), annotations: BTreeMap::new() };
+    let head = Head { id, at: now(), bytes: 0, split: String::new(), annotations: BTreeMap::new(), block: None };
     let text = |value: Result<String, serde_json::Error>| value.expect("strings and numbers always serialise");
     line(&text(serde_json::to_string(&head)), FAILED, &text(serde_json::to_string(reason)))
 }
@@ -144,9 +148,9 @@ mod tests {
 
     #[test]
     fn a_line_is_json_and_reads_back_the_same_every_time() {
-        let (text, once) = done(&record(3)).unwrap();
+        let (text, once) = done(&record(3), None).unwrap();
         assert_eq!(read(&text), Some(once.clone()));
-        let (again, twice) = done(&once).unwrap();
+        let (again, twice) = done(&once, None).unwrap();
         assert_eq!(read(&again), Some(twice));
         let value: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!((&value["frame"]["id"], &value["head"]["id"]), (&3.into(), &3.into()));
@@ -156,7 +160,7 @@ mod tests {
     fn numbers_that_json_cannot_hold_are_refused() {
         let mut bad = record(0);
         bad.pose[0] = f64::NAN;
-        assert!(done(&bad).is_err());
+        assert!(done(&bad, None).is_err());
     }
 
     #[test]
@@ -169,7 +173,7 @@ mod tests {
 
     #[test]
     fn any_changed_or_missing_byte_drops_the_line() {
-        let (text, _) = done(&record(1)).unwrap();
+        let (text, _) = done(&record(1), None).unwrap();
         for at in (0..text.len()).filter(|&at| text.is_char_boundary(at)) {
             assert_eq!(parse(&text[..at]), None, "cut at {at}");
         }

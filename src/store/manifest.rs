@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::atomic::sha256;
-use super::{Identity, StoreError, VERSION, layout};
+use super::{Identity, Pack, StoreError, VERSION, layout};
 use crate::label::View;
 
 /// Version of the layout of a dataset folder.
@@ -33,6 +33,9 @@ pub(crate) struct Manifest {
     pub plan_hash: String,
     /// Frames in the plan.
     pub frames: u64,
+    /// How the frames' files are packed; none where they are loose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pack: Option<Pack>,
     /// Hash of the data; `null` until the dataset is finished.
     pub dataset_hash: Option<String>,
     /// `null` until the dataset is finished.
@@ -86,6 +89,7 @@ impl Manifest {
             includes: identity.includes.to_vec(),
             plan_hash: identity.plan_hash.to_owned(),
             frames: identity.frames,
+            pack: identity.pack,
             dataset_hash: None,
             counts: None,
             missing: 0,

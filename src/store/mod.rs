@@ -2,7 +2,8 @@
 //!
 //! A frame's files are written under temporary names, synced and renamed; then one line in the journal says that the
 //! frame is finished. Whatever a killed run leaves behind, opening the folder again finds the frames that are whole, and
-//! the others are rendered again. No date, host or absolute path is ever written.
+//! the others are rendered again. Where many small files are not wanted, frames lie in tar files instead, with the same
+//! records and hashes (`pack`). No date, host or absolute path is ever written.
 //!
 //! Knows nothing of recipes, scenes or how frames are made, and of annotation formats only what a frame's record holds.
 
@@ -20,6 +21,7 @@ mod journal;
 pub mod layout;
 mod line;
 mod manifest;
+mod pack;
 pub mod png;
 mod record;
 #[cfg(test)]
@@ -31,11 +33,12 @@ mod verify;
 
 pub(crate) use atomic::sha256 as digest;
 pub use compare::{Comparison, FrameDifference, compare};
-pub use dataset::Dataset;
+pub use dataset::{Dataset, Place};
 pub use error::StoreError;
 pub use folder::{Identity, NewFile, Store};
 pub use index::Records;
 pub use manifest::{Counts, IncludeLock, ObjectCounts};
+pub use pack::Pack;
 pub use record::{AnnotationRecord, Fate, FileRecord, FrameRecord, Misplaced, ViewRecord};
 pub(crate) use seal::Sealing;
 pub use seal::Summary;

@@ -18,6 +18,7 @@ pub(crate) const IDENTITY: Identity<'static> = Identity {
     frames: FRAMES,
     frames_a_scene: 2,
     recipe_text: Some("name: sample\n"),
+    pack: None,
     sets: &[],
     includes: &[],
     plan_json: b"{\"jobs\":[]}\n",
@@ -109,7 +110,7 @@ pub(crate) fn write_many(root: &std::path::Path, frames: u64) {
             let (path, sha256) = (file.path.clone(), super::atomic::sha256(&file.bytes));
             record.files.push(super::FileRecord { path, bytes, sha256 });
         }
-        journal.write_all(super::line::done(&record).unwrap().0.as_bytes()).unwrap();
+        journal.write_all(super::line::done(&record, None).unwrap().0.as_bytes()).unwrap();
     }
     journal.flush().unwrap();
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Write};
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
@@ -11,12 +12,13 @@ use super::atomic::{self, Writer};
 use super::dataset::Dataset;
 use super::index::Files;
 use super::manifest::Manifest;
-use super::{Counts, FileRecord, StoreError, claim, damage, layout};
+use super::{Counts, FileRecord, StoreError, claim, damage, layout, pack};
 
 /// What came of a dataset.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Summary {
-    /// SHA-256 over the sorted `sha256sum` lines of all data files: images, masks, raw, annotations, frames.csv.
+    /// SHA-256 over the sorted `sha256sum` lines of all data files: images, masks, raw, annotations, frames.csv; packed
+    /// ones under the paths that they would have loose, so that packing changes nothing.
     pub dataset_hash: String,
     /// How many frames there are.
     pub frames: u64,
@@ -62,10 +64,11 @@ impl<'a> Sealing<'a> {
         self.writer.write_with(path, fill)
     }
 
-    /// Writes `SHA256SUMS` and, last, the manifest with the dataset hash. `derived` are the files made from the frames.
+    /// Puts tar files in order, then writes `SHA256SUMS` and, last, the manifest with the dataset hash. `derived` are the files made from the frames.
     pub fn seal(&self, derived: Vec<FileRecord>, counts: Counts) -> Result<Summary, StoreError> {
         let mut stretches: Vec<Stretch> = self.folders()?.into_iter().map(Stretch::Folder).collect();
         stretches.extend(derived.into_iter().chain(self.given()?).map(Stretch::One));
+        let tars = self.tars()?;
         stretches.sort_by(|a, b| a.path().cmp(b.path()));
         let mut hash = Sha256::new();
         self.each(&stretches, &mut |file| {
@@ -81,8 +84,13 @@ impl<'a> Sealing<'a> {
         let text = Manifest { dataset_hash: Some(dataset_hash.clone()), counts: Some(counts), missing, ..begun }.text();
         let bytes = text.len() as u64;
         let manifest = FileRecord { path: layout::MANIFEST.to_owned(), bytes, sha256: atomic::sha256(text.as_bytes()) };
-        let place = stretches.partition_point(|stretch| *stretch.path() < *manifest.path);
-        stretches.insert(place, Stretch::One(manifest));
+        stretches.push(Stretch::One(manifest));
+        if self.dataset.manifest.pack.is_some() {
+            // What lies on the disk: tar files in place of what is in them.
+            stretches.retain(|stretch| matches!(stretch, Stretch::One(_)));
+            stretches.extend(tars.into_iter().map(Stretch::One));
+        }
+        stretches.sort_by(|a, b| a.path().cmp(b.path()));
         let (mut files, mut bytes) = (0, 0);
         self.write_with(layout::SUMS, |out| {
             self.each(&stretches, &mut |file| {
@@ -108,6 +116,20 @@ impl<'a> Sealing<'a> {
             }
         }
         Ok(folders)
+    }
+
+    /// Tar files, put in order and hashed.
+    fn tars(&self) -> Result<Vec<FileRecord>, StoreError> {
+        let (root, dataset) = (self.dataset.root(), self.dataset);
+        if dataset.manifest.pack.is_none() {
+            return Ok(Vec::new());
+        }
+        let hashed = |path: String| {
+            let full = root.join(&path);
+            let (bytes, sha256) = atomic::hash_file(&full).map_err(StoreError::io("read", &full))?;
+            Ok(FileRecord { path, bytes, sha256 })
+        };
+        pack::settle(root, &dataset.index, dataset.planned())?.into_par_iter().map(hashed).collect()
     }
 
     /// Files that were there before the frames.

@@ -1,7 +1,9 @@
 //! Whether a dataset's files are still what its hashes say.
 //!
-//! Frames are held against the journals, whose lines carry checksums of their own; everything else against
-//! `SHA256SUMS`, which is held against both.
+//! Frames are held against the journals, whose lines carry checksums of their own, packed ones member by member; everything
+//! else against `SHA256SUMS`, which is held against both.
+
+mod packed;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,8 +18,9 @@ use super::index::{self, Files};
 use super::line::{self, Outcome};
 use super::manifest::Manifest;
 use super::{FileRecord, StoreError, damage, journal, layout};
+use packed::Packed;
 
-/// What a verification found. Paths are relative to the dataset folder.
+/// What a verification found. Paths are relative to the dataset folder; a member of a tar file is `TAR/MEMBER`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Verification {
     /// Files that were read.
@@ -61,16 +64,23 @@ pub fn verify(root: &Path) -> Result<Verification, StoreError> {
     };
     let is_finished = manifest.as_ref().is_none_or(|manifest| manifest.dataset_hash.is_some());
     let frames = manifest.as_ref().map_or(u64::MAX, |manifest| manifest.frames);
-    let mut expected = journalled(root, frames, is_finished, &mut found)?;
+    let (mut expected, packed) = journalled(root, frames, is_finished, &mut found)?;
     if is_finished {
         add_sums(root, &mut expected, &mut found)?;
     }
     let outcomes: Vec<(&String, Found)> =
         expected.par_iter().map(|(path, file)| (path, look(root, path, file))).collect();
     let mut damaged = Vec::new();
+    found.checked = expected.len() as u64;
+    let right_tars = packed.look(&mut found, &mut damaged)?;
     for (path, outcome) in outcomes {
         let list = match outcome {
             Found::Same => None,
+            // The frames in it are right, and nothing else is in it: then its hash is what changed.
+            Found::Changed if right_tars.contains(path) => {
+                found.changed.push(layout::SUMS.to_owned());
+                None
+            }
             Found::Changed => Some(&mut found.changed),
             Found::Missing => Some(&mut found.missing),
         };
@@ -79,7 +89,6 @@ pub fn verify(root: &Path) -> Result<Verification, StoreError> {
             damaged.extend(expected[path].frame.clone());
         }
     }
-    found.checked = expected.len() as u64;
     found.frames.extend(damaged.iter().map(|(id, _)| *id));
     for list in [&mut found.changed, &mut found.missing] {
         list.sort();
@@ -87,9 +96,11 @@ pub fn verify(root: &Path) -> Result<Verification, StoreError> {
     }
     found.frames.sort_unstable();
     found.frames.dedup();
+    let tars = packed.tars();
     walk(root, root, &mut |path| {
         let is_known = expected.contains_key(path) || KNOWN.contains(&path) || path.starts_with("shards/");
-        if !is_known {
+        let is_tar = layout::tar_of(path).is_some_and(|(tar, ..)| tars.contains(tar));
+        if !is_known && !is_tar {
             found.extra.push(path.to_owned());
         }
     })?;
@@ -117,20 +128,25 @@ fn look(root: &Path, path: &str, expected: &Expected) -> Found {
     }
 }
 
-/// Files of the frames as the journals tell of them; of several records of a frame the last counts.
+/// Files of the frames, loose and packed, as the journals tell of them; of several records of a frame the last counts.
 fn journalled(
     root: &Path,
     frames: u64,
     is_finished: bool,
     found: &mut Verification,
-) -> Result<BTreeMap<String, Expected>, StoreError> {
+) -> Result<(BTreeMap<String, Expected>, Packed), StoreError> {
+    let mut packed = Packed::new(root);
     let mut last: BTreeMap<u64, Vec<FileRecord>> = BTreeMap::new();
     for path in index::journals(root, None)? {
         let mut is_damaged = false;
         journal::each_line(&path, |text, _| match line::parse(text) {
             Some((head, Outcome::Done(frame))) if head.id < frames => {
-                if let Ok(Files { files }) = serde_json::from_str(frame) {
-                    last.insert(head.id, files);
+                let Ok(frame) = serde_json::from_str::<Files>(frame) else { return };
+                match head.block {
+                    Some(block) => packed.add(head.id, block, frame),
+                    None => {
+                        last.insert(head.id, frame.files);
+                    }
                 }
             }
             Some(_) => {}
@@ -146,7 +162,7 @@ fn journalled(
             .into_iter()
             .map(move |file| (file.path.clone(), Expected { sha256: file.sha256.clone(), frame: Some((id, file)) }))
     };
-    Ok(last.into_iter().flat_map(of_frame).collect())
+    Ok((last.into_iter().flat_map(of_frame).collect(), packed))
 }
 
 /// Adds what `SHA256SUMS` tells of; where it contradicts a journal it is itself what changed.

@@ -4,5 +4,6 @@
 
 mod canvas;
 pub mod contact;
+pub mod portrait;
 
 pub use contact::{GreyImage, SheetFrame, contact_sheet};

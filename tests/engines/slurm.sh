@@ -65,7 +65,7 @@ trap stop EXIT
 pgrep -x munged >/dev/null || runuser -u munge -- munged --force
 slurmctld -f "$work/slurm.conf"
 for node in n1 n2; do slurmd -f "$work/slurm.conf" -N "$node"; done
-for _ in $(seq 50); do [ "$(sinfo -h -t idle -o %D 2>/dev/null)" = 2 ] && break; sleep 0.2; done
+for _ in $(seq 150); do [ "$(sinfo -h -t idle -o %D 2>/dev/null)" = 2 ] && break; sleep 0.2; done
 [ "$(sinfo -h -t idle -o %D)" = 2 ] || fail "the nodes do not come up"
 sinfo
 

@@ -1,8 +1,10 @@
 //! `catalog.csv` and the catalog's README.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use anyhow::Result;
+use sha2::{Digest as _, Sha256};
 
 use super::object::Object;
 
@@ -32,6 +34,14 @@ pub fn catalog_csv(objects: &[Object]) -> Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
+/// Hashes of the models, as `ensonify catalog verify` and `sha256sum -c` read them.
+#[must_use]
+pub fn lock(files: &BTreeMap<String, Vec<u8>>) -> String {
+    let models = files.iter().filter(|(name, _)| name.ends_with(".glb"));
+    let hash = |bytes: &[u8]| Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+    models.map(|(name, bytes)| format!("{}  {name}\n", hash(bytes))).collect()
+}
+
 /// What stands in the folder, how it is made and on what terms.
 #[must_use]
 pub fn readme(objects: &[Object]) -> String {
@@ -57,7 +67,7 @@ Use it in a recipe with `pick: {catalog: starter, tags: [tire]}`.
 ";
 
 const TAIL: &str = "
-- `catalog.csv` holds names, labels, tags, sizes, materials and licences.
+- `catalog.csv` holds names, labels, tags, sizes, materials and licences, `catalog.lock` the hash of each model.
 - Models are glTF 2.0 binary: metres, y up, z front, lowest point at y = 0, in the pose in which the object lies on the bottom.
   Each part is a closed surface of its own (parts may overlap) whose glTF material bears the name of an acoustic material.
 

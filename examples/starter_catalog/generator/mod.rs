@@ -16,6 +16,7 @@ mod prism;
 mod rocks;
 mod shape;
 mod solid;
+mod variants;
 mod vessels;
 mod wheels;
 
@@ -35,6 +36,7 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         gear::all(),
         ordnance::all(),
         rocks::all(),
+        variants::all(),
         vessels::all(),
         wheels::all(),
     ]
@@ -45,6 +47,7 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         files.insert(object.file_name(), glb::bytes(object)?);
     }
     files.insert("catalog.csv".into(), listing::catalog_csv(&objects)?);
+    files.insert("catalog.lock".into(), listing::lock(&files).into_bytes());
     files.insert("README.md".into(), listing::readme(&objects).into_bytes());
     Ok(files)
 }

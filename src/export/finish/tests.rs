@@ -85,7 +85,7 @@ fn the_dataset_hash_covers_pixels_but_not_words() {
     let [a, b, c] = [(); 3].map(|()| tempfile::tempdir().unwrap());
     let all = [0, 1, 2, 3, 4, 5];
     let hash = finish(&dataset(a.path(), &all), &input()).unwrap().dataset_hash;
-    let words = FinishInput { facts: vec![], attributions: vec![], ..input() };
+    let words = FinishInput { facts: vec![], ..input() };
     assert_eq!(finish(&dataset(b.path(), &all), &words).unwrap().dataset_hash, hash);
     let store = dataset(c.path(), &all[1..]);
     let (record, mut files) = frame(0);

@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 use self::probe::{Shape, shape_of};
 use super::header::{Output, Splits};
 use super::sections::ObjectEntry;
+use crate::catalog::LicencePolicy;
 use crate::image::ImageModel;
 use crate::label::LabelSettings;
 use crate::physics::TurbidWater;
@@ -85,6 +86,7 @@ impl Writer {
             ("vehicle", shape_of::<Vehicle>(), Drawn::Yes),
             ("trajectory", shape_of::<Trajectory>(), Drawn::Yes),
             ("image", shape_of::<ImageModel>(), Drawn::Yes),
+            ("licences", shape_of::<LicencePolicy>(), Drawn::No),
             ("labels", shape_of::<LabelSettings>(), Drawn::No),
             ("splits", shape_of::<Splits>(), Drawn::No),
             ("output", shape_of::<Output>(), Drawn::No),

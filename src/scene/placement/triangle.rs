@@ -12,6 +12,9 @@ const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 
 /// Whether two triangles cross, or lie closer than `distance` to each other. Those that touch at an edge may count as crossing.
 pub(super) fn are_closer(a: &Triangle, b: &Triangle, distance: f64) -> bool {
+    if are_apart(a, b, distance) {
+        return false;
+    }
     if SIDES.iter().any(|&(i, j)| pierces(a[i], a[j], b)) || SIDES.iter().any(|&(i, j)| pierces(b[i], b[j], a)) {
         return true;
     }
@@ -20,6 +23,25 @@ pub(super) fn are_closer(a: &Triangle, b: &Triangle, distance: f64) -> bool {
         && (a.iter().any(|&p| (nearest(b, p) - p).length_squared() < square)
             || b.iter().any(|&p| (nearest(a, p) - p).length_squared() < square)
             || SIDES.iter().any(|&(i, j)| SIDES.iter().any(|&(k, l)| between(a[i], a[j], b[k], b[l]) < square)))
+}
+
+/// Whether the boxes about two triangles, or the plane of one, tell at once that they lie farther apart.
+fn are_apart(a: &Triangle, b: &Triangle, distance: f64) -> bool {
+    let [low_a, low_b] = [a, b].map(|t| t[0].min(t[1]).min(t[2]));
+    let [high_a, high_b] = [a, b].map(|t| t[0].max(t[1]).max(t[2]));
+    let room = DVec3::splat(distance);
+    low_a.cmpgt(high_b + room).any()
+        || low_b.cmpgt(high_a + room).any()
+        || is_beside(a, b, distance)
+        || is_beside(b, a, distance)
+}
+
+/// Whether a triangle lies farther than `distance` to one side of another's plane.
+fn is_beside([a, b, c]: &Triangle, other: &Triangle, distance: f64) -> bool {
+    let normal = (b - a).cross(c - a);
+    let heights = other.map(|p| normal.dot(p - a));
+    let least = distance * normal.length();
+    heights.iter().all(|&height| height > least) || heights.iter().all(|&height| height < -least)
 }
 
 /// Solid angle of a triangle from a point, positive from behind, steradians.
