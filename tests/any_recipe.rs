@@ -290,7 +290,7 @@ sweep:
 #[test]
 fn ten_thousand_broken_files_never_panic_and_never_take_long() {
     let mut texts = vec![ALL.to_owned()];
-    for name in ["quickstart", "mine-like-objects", "harbour-debris"] {
+    for name in ["quickstart", "mine-like-objects", "wreck-survey"] {
         texts.push(fs::read_to_string(recipes().join(format!("{name}.yaml"))).expect("a recipe"));
     }
     let assets = AssetCache::new(&recipes());

@@ -19,6 +19,7 @@ mod solid;
 mod variants;
 mod vessels;
 mod wheels;
+mod wrecks;
 
 use std::collections::BTreeMap;
 
@@ -39,6 +40,7 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         variants::all(),
         vessels::all(),
         wheels::all(),
+        wrecks::all(),
     ]
     .concat();
     objects.sort_by_key(|object| object.uid);

@@ -41,6 +41,7 @@ pub enum Material {
     Ceramic,
     Plastic,
     Rope,
+    Flesh,
 }
 
 impl Material {
@@ -59,6 +60,7 @@ impl Material {
             Self::Ceramic => "ceramic",
             Self::Plastic => "plastic",
             Self::Rope => "rope",
+            Self::Flesh => "flesh",
         }
     }
 
@@ -77,6 +79,7 @@ impl Material {
             Self::Ceramic => [0.58, 0.27, 0.15, 1.0],
             Self::Plastic => [0.85, 0.27, 0.05, 1.0],
             Self::Rope => [0.52, 0.42, 0.26, 1.0],
+            Self::Flesh => [0.55, 0.48, 0.45, 1.0],
         }
     }
 
