@@ -11,8 +11,20 @@ use glam::DVec3;
 /// Models are exact to one millimetre in `catalog.csv`.
 const MILLIMETRE: f64 = 0.001;
 
-const MATERIALS: [&str; 11] =
-    ["steel", "aluminium", "iron", "concrete", "rock", "wood", "rubber", "glass", "ceramic", "plastic", "rope"];
+const MATERIALS: [&str; 12] = [
+    "steel",
+    "aluminium",
+    "iron",
+    "concrete",
+    "rock",
+    "wood",
+    "rubber",
+    "glass",
+    "ceramic",
+    "plastic",
+    "rope",
+    "flesh",
+];
 
 /// One part as a reader of the file sees it, turned upright: x right, y back, z up.
 struct Part {
