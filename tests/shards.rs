@@ -140,7 +140,7 @@ fn chaos_changes_no_byte() {
         let shards = 1 + random.below(4);
         for _ in 0..2 + random.below(4) {
             let mut all: Vec<Child> = (0..shards).map(|index| start(&desk, &format!("{index}/{shards}"))).collect();
-            std::thread::sleep(Duration::from_millis(u64::from(random.below(900))));
+            std::thread::sleep(Duration::from_millis(u64::from(random.below(250))));
             for child in &mut all {
                 killed += u32::from(child.try_wait().expect("asked").is_none());
                 child.kill().expect("killed");
