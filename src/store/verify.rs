@@ -49,19 +49,7 @@ struct Expected {
 /// [`StoreError`] if `root` is no dataset or cannot be read.
 pub fn verify(root: &Path) -> Result<Verification, StoreError> {
     let mut found = Verification::default();
-    let manifest = match Manifest::read(root) {
-        Ok(Some(manifest)) => Some(manifest),
-        Ok(None) if root.join(layout::SUMS).is_file() || root.join(layout::SHARDS).is_dir() => {
-            found.missing.push(layout::MANIFEST.to_owned());
-            None
-        }
-        Ok(None) => return Err(StoreError::NoDataset { path: root.to_path_buf() }),
-        Err(StoreError::Manifest { .. }) => {
-            found.changed.push(layout::MANIFEST.to_owned());
-            None
-        }
-        Err(error) => return Err(error),
-    };
+    let manifest = manifest(root, &mut found)?;
     let is_finished = manifest.as_ref().is_none_or(|manifest| manifest.dataset_hash.is_some());
     let frames = manifest.as_ref().map_or(u64::MAX, |manifest| manifest.frames);
     let (mut expected, packed) = journalled(root, frames, is_finished, &mut found)?;
@@ -90,12 +78,6 @@ pub fn verify(root: &Path) -> Result<Verification, StoreError> {
         }
     }
     found.frames.extend(damaged.iter().map(|(id, _)| *id));
-    for list in [&mut found.changed, &mut found.missing] {
-        list.sort();
-        list.dedup();
-    }
-    found.frames.sort_unstable();
-    found.frames.dedup();
     let tars = packed.tars();
     walk(root, root, &mut |path| {
         let is_known = expected.contains_key(path) || KNOWN.contains(&path) || path.starts_with("shards/");
@@ -104,10 +86,39 @@ pub fn verify(root: &Path) -> Result<Verification, StoreError> {
             found.extra.push(path.to_owned());
         }
     })?;
-    found.extra.sort();
+    found.put_in_order();
     // A disk that cannot be written is no difference.
     let _ = damage::write(&Writer::new(root, "verify"), &damaged);
     Ok(found)
+}
+
+impl Verification {
+    /// Every list sorted, each entry once.
+    fn put_in_order(&mut self) {
+        for list in [&mut self.changed, &mut self.missing, &mut self.extra] {
+            list.sort();
+            list.dedup();
+        }
+        self.frames.sort_unstable();
+        self.frames.dedup();
+    }
+}
+
+/// The manifest; `None`, and told, where it is lost or damaged in what is a dataset all the same.
+fn manifest(root: &Path, found: &mut Verification) -> Result<Option<Manifest>, StoreError> {
+    match Manifest::read(root) {
+        Ok(Some(manifest)) => Ok(Some(manifest)),
+        Ok(None) if root.join(layout::SUMS).is_file() || root.join(layout::SHARDS).is_dir() => {
+            found.missing.push(layout::MANIFEST.to_owned());
+            Ok(None)
+        }
+        Ok(None) => Err(StoreError::NoDataset { path: root.to_path_buf() }),
+        Err(StoreError::Manifest { .. }) => {
+            found.changed.push(layout::MANIFEST.to_owned());
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
 }
 
 /// Files that `SHA256SUMS` does not tell of, or only once the dataset is finished.
