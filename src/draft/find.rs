@@ -52,6 +52,11 @@ pub(in crate::draft) fn is_known_thing(name: &str) -> bool {
     Said::of(name).concept.is_some()
 }
 
+/// The label or group that a name means, whatever the catalogs have.
+pub(in crate::draft) fn name_of(name: &str) -> Option<String> {
+    Said::of(name).concept.map(|concept| concepts().name(concept).to_owned())
+}
+
 /// A name, read.
 struct Said {
     /// In common form, errors repaired.

@@ -12,8 +12,9 @@
 pub(crate) mod find;
 mod known;
 mod prompt;
-pub(crate) mod read;
+pub mod read;
 mod refusal;
+pub(crate) mod sense;
 pub mod wish;
 
 pub use known::{Known, Models};
