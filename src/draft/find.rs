@@ -182,13 +182,10 @@ fn is_a(asset: &Asset, concept: Concept) -> bool {
         return true;
     }
     let says = |text: &str| table.read(text).iter().any(|unit| unit.concepts.contains(&concept));
-    if !table.is_group(concept) {
-        return false;
-    }
     match table.group(concept).filter(|wider| !table.is_group(*wider)) {
         // A kind of a label (`wine-bottle`): that label, and its name or tags tell the kind.
         Some(wider) => is_below(label, wider) && (says(&asset.name) || asset.tags.iter().any(|tag| says(tag))),
-        None => asset.tags.iter().any(|tag| says(tag)),
+        None => table.is_group(concept) && asset.tags.iter().any(|tag| says(tag)),
     }
 }
 

@@ -154,7 +154,8 @@ fn noun_before(reading: &Reading<'_>, number: usize, wanted: Word) -> Option<Ran
     }
     let (begin, word) = reading.ending_at(&vocabulary().words, end)?;
     // `200 frames: three bottles`: the noun has its number.
-    let is_counted = begin > 0 && (reading.number_at_end(begin) || reading.text.form(begin - 1) == "sonar");
+    let is_counted = begin > 0
+        && ((begin.saturating_sub(2)..=begin).any(|end| reading.number_at_end(end)) || reading.text.form(begin - 1) == "sonar");
     (*word == wanted && !is_counted).then_some(begin..number)
 }
 

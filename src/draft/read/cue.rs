@@ -129,8 +129,13 @@ fn before(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
                 && end - begin == 1
                 && !(skipped > 0 && (reading.text.is_mark(end, '=') || reading.text.is_mark(end, ':')))
         };
-        let found =
-            found.filter(|(begin, cue)| (shared(*cue) || (*begin..end).all(|at| reading.is_free(at))) && !lone(*begin));
+        // A bare "and" goes on what was told of swaying.
+        let and = |begin: usize| {
+            reading.text.form(begin) == "and" && (skipped > 0 || reading.wish.path.sway.is_none())
+        };
+        let found = found.filter(|(begin, cue)| {
+            (shared(*cue) || (*begin..end).all(|at| reading.is_free(at))) && !lone(*begin) && !and(*begin)
+        });
         if let Some((begin, cue)) = found {
             let word = reading.text.form(begin);
             let single = end - begin == 1;

@@ -372,6 +372,10 @@ impl Walk<'_, '_> {
             Cue::BelowSurface => self.attach(tokens, Stand::BelowSurface(amount)),
             Cue::Apart => self.attach(tokens, Stand::Apart(amount)),
             Cue::Radius => self.attach(tokens, Stand::Around(amount)),
+            Cue::Burial if self.group.is_empty() => {
+                let [low, high] = amount.ends();
+                self.lead.push((tokens, StandWord::Buried(low, high)));
+            }
             Cue::Burial => self.attach(tokens, Stand::Buried(amount)),
             Cue::Size => {
                 if let Some(&last) = self.group.last() {
