@@ -135,7 +135,8 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
                 continue;
             }
             // `a Tritech Gemini`: part of a name that was read.
-            let goes_on = reading.text.tokens.get(end).is_some_and(|token| token.kind == Kind::Word) && !reading.is_free(end);
+            let goes_on =
+                reading.text.tokens.get(end).is_some_and(|token| token.kind == Kind::Word) && !reading.is_free(end);
             if goes_on {
                 return None;
             }
@@ -298,7 +299,7 @@ fn is_definite(form: &str) -> bool {
 
 fn count_of(amount: &Amount, bound: Option<Bound>) -> Option<Count> {
     let [low, high] = amount.ends();
-    let fits = |value: f64| (0.0..1e6).contains(&value) && value.fract() == 0.0;
+    let fits = |value: f64| (0.0..4e9).contains(&value) && value.fract() == 0.0;
     let low = if bound == Some(Bound::AtMost) && low == 0.0 { 1.0_f64.min(high) } else { low };
     if !fits(high) || !fits(low) {
         return None;
@@ -377,6 +378,9 @@ fn is_doubtful(reading: &Reading<'_>, at: usize, count: usize, noun: &Noun, is_b
             && is_bare
             && !reading.is_plural(at)
             && !listed)
+        || (matches!(form, "person" | "people")
+            && noun.article == Article::None
+            && !matches!(reading.text.form(at.wrapping_sub(1)), "of" | "and" | "with" | "detecting" | "," | ":"))
         || (form == "can" && noun.article == Article::None && !listed && !reading.is_plural(at))
         || reading.word(at, Word::Images) == Some(1)
 }

@@ -203,7 +203,8 @@ fn follow(reading: &Reading<'_>) -> Found {
     let word = reading.find_all(Word::Follow).into_iter().find(|tokens| {
         let structure =
             reading.environment_at.as_ref().is_some_and(|place| (tokens.end..tokens.end + 4).contains(&place.start));
-        let verb = !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿" | "inspect" | "check" | "inspection");
+        let verb =
+            !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿" | "inspect" | "check" | "inspection");
         structure || verb
     });
     let line = reading.find(Word::StraightLine).filter(|_| reading.route.length_m.is_some());

@@ -92,8 +92,12 @@ impl<T: Clone> Phrases<T> {
                 && phrase.forms.len() <= rest.len()
                 && phrase.forms.iter().zip(rest).all(|(form, token)| is_same(form, &token.form, phrase.language))
         };
-        let mut found: Vec<(usize, &T)> =
-            phrases(first).iter().chain(declined).filter(fits).map(|phrase| (phrase.forms.len(), &phrase.means)).collect();
+        let mut found: Vec<(usize, &T)> = phrases(first)
+            .iter()
+            .chain(declined)
+            .filter(fits)
+            .map(|phrase| (phrase.forms.len(), &phrase.means))
+            .collect();
         found.sort_by_key(|(tokens, _)| std::cmp::Reverse(*tokens));
         found.into_iter()
     }
@@ -117,7 +121,8 @@ fn root(form: &str, language: Language) -> Option<&str> {
     };
     let mut root = form;
     // `vergraben` and `vergrabenen` come to one root.
-    while let Some(shorter) = endings.iter().find_map(|ending| root.strip_suffix(ending)).filter(|root| root.len() >= 4) {
+    while let Some(shorter) = endings.iter().find_map(|ending| root.strip_suffix(ending)).filter(|root| root.len() >= 4)
+    {
         root = shorter;
     }
     (root.len() >= 4).then_some(root)

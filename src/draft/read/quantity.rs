@@ -159,10 +159,12 @@ pub(in crate::draft) fn quantity_at(text: &Text<'_>, at: usize) -> Option<Quanti
             next += tokens;
             None
         }
-        None => vocabulary().bounds.at(text, next).filter(|(tokens, _)| is_bound(text, next, *tokens)).map(|(tokens, bound)| {
-            next += tokens;
-            *bound
-        }),
+        None => vocabulary().bounds.at(text, next).filter(|(tokens, _)| is_bound(text, next, *tokens)).map(
+            |(tokens, bound)| {
+                next += tokens;
+                *bound
+            },
+        ),
     };
     let first = end_at(text, next)?;
     next += first.tokens;

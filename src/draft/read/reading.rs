@@ -165,7 +165,7 @@ impl<'a> Reading<'a> {
     /// Whether a token is one that people say something between two others with.
     pub fn is_link(&self, at: usize) -> bool {
         const LINKS: [&str; 18] = [
-            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "set",
+            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "to",
         ];
         let form = self.text.form(at);
         LINKS.contains(&form) || form == "i" && self.text.words(at..at + 1) == "is"
@@ -185,8 +185,10 @@ impl<'a> Reading<'a> {
         let first = self.text.tokens.get(at).filter(|token| token.kind == Kind::Word && may(at))?;
         let run = |most: usize| (at..self.len().min(at + most)).take_while(|&next| may(next));
         if first.is_ideograph() {
-            let letters: Vec<&str> =
-                run(6).take_while(|&next| self.text.tokens[next].is_ideograph()).map(|next| self.text.form(next)).collect();
+            let letters: Vec<&str> = run(6)
+                .take_while(|&next| self.text.tokens[next].is_ideograph())
+                .map(|next| self.text.form(next))
+                .collect();
             return (1..=letters.len()).rev().find(|&count| {
                 let units = concepts().units(&[letters[..count].concat()]);
                 matches!(units.as_slice(), [unit] if !unit.concepts.is_empty())
@@ -194,10 +196,15 @@ impl<'a> Reading<'a> {
         }
         let is_word = |next: &usize| {
             let token = &self.text.tokens[*next];
-            token.kind == Kind::Word && !token.is_ideograph() || (token.number().is_some() && token.glued)
+            let ends = matches!(
+                token.form.as_str(),
+                "on" | "in" | "at" | "and" | "or" | "with" | "to" | "by" | "for" | "from" | "und" | "y" | "et"
+            );
+            (token.kind == Kind::Word && !token.is_ideograph() && !ends) || (token.number().is_some() && token.glued)
         };
         // The table of things leaves out words such as `de`: `carrito de compras`.
-        let silent = |form: &str| matches!(form, "of" | "de" | "d" | "du" | "des" | "del" | "a" | "la" | "l" | "en" | "the");
+        let silent =
+            |form: &str| matches!(form, "of" | "de" | "d" | "du" | "des" | "del" | "a" | "la" | "l" | "en" | "the");
         let places: Vec<usize> =
             run(6).take_while(is_word).filter(|&next| next == at || !silent(self.text.form(next))).collect();
         let forms: Vec<String> = places.iter().map(|&next| self.text.form(next).to_owned()).collect();
