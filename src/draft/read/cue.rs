@@ -212,7 +212,8 @@ fn behind(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
 pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, bool) {
     let mut comma = false;
     let mut at = start;
-    while at > 0 {
+    // Who is spoken of stands not far off.
+    while at > 0 && at + 60 > start {
         at -= 1;
         let text = &reading.text;
         if text.is_mark(at, '.') || text.is_mark(at, ';') {

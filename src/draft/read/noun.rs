@@ -409,7 +409,7 @@ fn compound(
     }
     while let Some(more) = reading.thing_at(end) {
         let whole = reading.text.words(at..end + more);
-        let tells = crate::draft::find::models(whole, reading.known).is_ok_and(|found| {
+        let tells = reading.models(whole).is_ok_and(|found| {
             let first = crate::catalog::words::words(reading.text.words(at..end));
             found.narrowed_by.iter().any(|word| first.contains(word))
         });

@@ -10,7 +10,6 @@ use super::stand::{Relation, StandWord, add, stand_word};
 use super::vocabulary::{Cue, Word, vocabulary};
 use crate::catalog::concepts::concepts;
 use crate::draft::Problem;
-use crate::draft::find::models;
 use crate::draft::wish::{Amount, Count, Side, Stand, Thing, Unknown};
 
 /// Finds the things.
@@ -35,6 +34,7 @@ pub(super) fn spot(reading: &mut Reading<'_>, stands: Vec<StandCue>) {
             walk.at = before + 1;
         }
     }
+    walk.mines();
     let headings = std::mem::take(&mut walk.headings);
     if walk.reading.wish.things.is_empty() && walk.reading.wish.unknown.is_empty() {
         for noun in headings {
@@ -320,6 +320,8 @@ impl Walk<'_, '_> {
                 quantity.measure == super::quantity::Measure::Share
                     && quantity.tokens.end <= words.start
                     && quantity.tokens.end + 5 > words.start
+                    // `half of the tires`: of them, not of each.
+                    && !matches!(self.reading.text.form(quantity.tokens.end), "of" | "the" | "der" | "de" | "des")
                     && quantity.tokens.clone().all(|at| self.reading.is_free(at))
             });
             if let Some(share) = share.cloned() {
@@ -511,7 +513,7 @@ impl Walk<'_, '_> {
             return;
         }
         if self.negating {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label);
+            let label = self.reading.models(&noun.name).map(|found| found.label);
             let label = label
                 .ok()
                 .or_else(|| crate::draft::find::name_of(&noun.name))
@@ -525,7 +527,7 @@ impl Walk<'_, '_> {
             return self.backwards(noun);
         }
         let is_group = || {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label).unwrap_or_default();
+            let label = self.reading.models(&noun.name).map(|found| found.label).unwrap_or_default();
             label == "uxo" || concepts().number(&label).is_some_and(|number| concepts().is_group(number))
         };
         if text.is_mark(noun.tokens.end, ':') && noun.count.is_none() && noun.article == Article::None && is_group() {
@@ -550,7 +552,7 @@ impl Walk<'_, '_> {
     fn thing(&mut self, noun: &Noun) {
         self.reading.take(noun.tokens.clone());
         let said = self.reading.said(noun.named.clone(), self.reading.text.words(noun.named.clone()).to_owned());
-        let found = match models(&noun.name, self.reading.known) {
+        let found = match self.reading.models(&noun.name) {
             Ok(found) => found,
             Err(near) => {
                 let unknown =
@@ -624,6 +626,26 @@ impl Walk<'_, '_> {
             self.group.push(place);
         }
         self.halves = 0;
+    }
+
+    /// Of mines, those on a line are moored mines, and of two halves those on the ground are bottom mines.
+    fn mines(&mut self) {
+        let on_line = |thing: &Thing| {
+            thing.label == "mine"
+                && thing.stands.iter().any(|said| matches!(said.value, Stand::Moored(_) | Stand::Floating(_)))
+        };
+        let both = self.reading.wish.things.iter().any(on_line);
+        for place in 0..self.reading.wish.things.len() {
+            let thing = &self.reading.wish.things[place];
+            let name = match (thing.label.as_str(), on_line(thing)) {
+                ("mine", true) => "moored mine",
+                ("mine", false) if both => "bottom mine",
+                _ => continue,
+            };
+            if let Ok(found) = self.reading.models(name) {
+                self.reading.wish.things[place].models = found.models;
+            }
+        }
     }
 
     /// `the anchor` is one.
