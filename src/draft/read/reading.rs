@@ -174,8 +174,9 @@ impl<'a> Reading<'a> {
 
     /// Whether a token is one that people say something between two others with.
     pub fn is_link(&self, at: usize) -> bool {
-        const LINKS: [&str; 18] = [
-            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "to",
+        const LINKS: [&str; 19] = [
+            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "\"",
+            "to",
         ];
         let form = self.text.form(at);
         LINKS.contains(&form) || form == "i" && self.text.words(at..at + 1) == "is"

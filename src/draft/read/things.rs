@@ -43,6 +43,26 @@ pub(super) fn spot(reading: &mut Reading<'_>, stands: Vec<StandCue>) {
     }
 }
 
+/// Parts of structures that are no things by themselves.
+fn is_part(form: &str) -> bool {
+    matches!(
+        form,
+        "wall"
+            | "side"
+            | "floor"
+            | "face"
+            | "edge"
+            | "corner"
+            | "wand"
+            | "mauer"
+            | "pared"
+            | "muro"
+            | "mur"
+            | "pile"
+            | "墙"
+    )
+}
+
 struct Walk<'r, 'a> {
     reading: &'r mut Reading<'a>,
     stands: Vec<StandCue>,
@@ -382,9 +402,9 @@ impl Walk<'_, '_> {
         }
         let vehicle =
             self.reading.word(next, Word::Vehicle).filter(|_| !matches!(text.form(next.wrapping_sub(1)), "a" | "an"));
-        let structure =
-            self.reading.environment_at.as_ref().is_some_and(|place| (next..next + 2).contains(&place.start))
-                || vocabulary().environments.at(text, next).is_some();
+        let structure = self.reading.environment_at.as_ref().is_some_and(|place| {
+            (next..next + 5).contains(&place.start) && (place.start <= next + 1 || is_part(text.form(next)))
+        }) || vocabulary().environments.at(text, next).is_some();
         let side = match relation {
             Relation::Near(side) => side,
             Relation::Leaning | Relation::On => None,
@@ -512,11 +532,13 @@ impl Walk<'_, '_> {
         if alike {
             return;
         }
+        // `the wall of the tank`: part of the structure.
+        if self.reading.environment_at.is_some() && is_part(&noun.name) {
+            return;
+        }
         if self.negating {
-            let label = self.reading.models(&noun.name).map(|found| found.label);
-            let label = label
-                .ok()
-                .or_else(|| crate::draft::find::name_of(&noun.name))
+            let label = crate::draft::find::name_of(&noun.name)
+                .or_else(|| self.reading.models(&noun.name).map(|found| found.label).ok())
                 .unwrap_or_else(|| noun.name.to_lowercase());
             let said = self.reading.said(noun.tokens.clone(), label);
             self.reading.wish.without.push(said);
