@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use crate::checked;
 use crate::expected::{Case, Set, cases, vocabulary};
 use crate::score::{Mark, Outcome, score};
-use crate::checked;
 
 /// A recipe for the first of the prompts, and how it scores.
 const TIRES: &str = "
