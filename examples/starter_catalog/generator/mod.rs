@@ -3,8 +3,12 @@
 //! One module a family of objects; `shape`, `prism`, `curve` and `noise` draw surfaces, `glb` and `listing` write files.
 
 mod anchors;
+mod animals;
+mod body;
 mod building;
+mod cargo;
 mod containers;
+mod craft;
 mod curve;
 mod gear;
 mod glb;
@@ -12,10 +16,14 @@ mod listing;
 mod noise;
 mod object;
 mod ordnance;
+mod people;
 mod prism;
+mod robots;
 mod rocks;
 mod shape;
+mod shells;
 mod solid;
+mod targets;
 mod variants;
 mod vessels;
 mod wheels;
@@ -32,11 +40,18 @@ use anyhow::Result;
 pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
     let mut objects = [
         anchors::all(),
+        animals::all(),
         building::all(),
+        cargo::all(),
         containers::all(),
+        craft::all(),
         gear::all(),
         ordnance::all(),
+        people::all(),
+        robots::all(),
         rocks::all(),
+        shells::all(),
+        targets::all(),
         variants::all(),
         vessels::all(),
         wheels::all(),
