@@ -11,7 +11,7 @@ use glam::DVec3;
 /// Models are exact to one millimetre in `catalog.csv`.
 const MILLIMETRE: f64 = 0.001;
 
-const MATERIALS: [&str; 12] = [
+const MATERIALS: [&str; 13] = [
     "steel",
     "aluminium",
     "iron",
@@ -24,6 +24,7 @@ const MATERIALS: [&str; 12] = [
     "plastic",
     "rope",
     "flesh",
+    "plant",
 ];
 
 /// One part as a reader of the file sees it, turned upright: x right, y back, z up.

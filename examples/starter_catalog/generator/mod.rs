@@ -18,12 +18,14 @@ mod object;
 mod ordnance;
 mod people;
 mod prism;
+mod reef;
 mod robots;
 mod rocks;
 mod shape;
 mod shells;
 mod solid;
 mod targets;
+mod timber;
 mod variants;
 mod vessels;
 mod wheels;
@@ -48,10 +50,12 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         gear::all(),
         ordnance::all(),
         people::all(),
+        reef::all(),
         robots::all(),
         rocks::all(),
         shells::all(),
         targets::all(),
+        timber::all(),
         variants::all(),
         vessels::all(),
         wheels::all(),
