@@ -12,7 +12,10 @@ mod craft;
 mod curve;
 mod gear;
 mod glb;
+mod household;
 mod listing;
+mod more_containers;
+mod munitions;
 mod noise;
 mod object;
 mod ordnance;
@@ -26,7 +29,6 @@ mod shells;
 mod solid;
 mod targets;
 mod timber;
-mod variants;
 mod vessels;
 mod wheels;
 mod wrecks;
@@ -48,6 +50,9 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         containers::all(),
         craft::all(),
         gear::all(),
+        household::all(),
+        more_containers::all(),
+        munitions::all(),
         ordnance::all(),
         people::all(),
         reef::all(),
@@ -56,7 +61,6 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         shells::all(),
         targets::all(),
         timber::all(),
-        variants::all(),
         vessels::all(),
         wheels::all(),
         wrecks::all(),

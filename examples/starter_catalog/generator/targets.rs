@@ -49,7 +49,7 @@ fn cube() -> Object {
         uid: "cube",
         name: "concrete cube, 0.5 m",
         label: "cube",
-        tags: "target;calibration;test target;concrete block;shape",
+        tags: "target;calibration;test target;shape",
         parts: vec![
             Part::new("cube", Material::Concrete, [block]),
             Part::new("eye", Material::Steel, [tube(&eye, 0.008, 8)]),
