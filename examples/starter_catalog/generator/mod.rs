@@ -13,6 +13,7 @@ mod curve;
 mod gear;
 mod glb;
 mod household;
+mod lines;
 mod listing;
 mod more_containers;
 mod munitions;
@@ -51,6 +52,7 @@ pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
         craft::all(),
         gear::all(),
         household::all(),
+        lines::all(),
         more_containers::all(),
         munitions::all(),
         ordnance::all(),

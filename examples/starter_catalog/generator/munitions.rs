@@ -164,7 +164,7 @@ fn grenade() -> Object {
     let lever: Vec<[f64; 3]> =
         vec![[-0.010, 0.0, 0.116], [0.018, 0.0, 0.115], [0.030, 0.0, 0.100], [0.033, 0.0, 0.070], [0.032, 0.0, 0.030]];
     let lever = sweep(&spline(&lever, 4), Path::Open, DVec3::Y, |_| ellipse(0.0055, 0.0011, 8));
-    let ring = torus(0.014, 0.0026, [24, 6]).turned(Axis::X, 60.0).at(0.004, -0.020, 0.108);
+    let ring = torus(0.014, 0.0026, [24, 6]).turned(Axis::X, 60.0).at(0.004, -0.013, 0.108);
     Object {
         uid: "grenade",
         name: "hand grenade",

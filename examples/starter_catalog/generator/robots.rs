@@ -1,16 +1,17 @@
-//! Machines that go by themselves under water: a survey vehicle, a glider, a remotely operated vehicle.
+//! Vehicles under water: a survey vehicle, a glider, a remotely operated vehicle, a midget submarine.
 
 use glam::DVec3;
 
-use super::body::wing;
-use super::curve::{Point, smooth};
+use super::body::{body, wing};
+use super::curve::{Point, ellipse, rounded_rectangle, smooth, spline};
 use super::object::{Material, Object, Part};
-use super::shape::{cuboid, cylinder, dome, lathe, rod};
+use super::prism::prism;
+use super::shape::{capped, cuboid, cylinder, dome, lathe, lathe_ring, rod, tube};
 use super::solid::{Axis, Solid};
 use super::vessels::screw;
 
 pub fn all() -> Vec<Object> {
-    vec![auv(), glider()]
+    vec![auv(), glider(), rov(), submarine()]
 }
 
 /// A body turned about x, its nose ahead.
@@ -99,6 +100,175 @@ fn glider() -> Object {
             Part::new("wings", Material::Plastic, wings),
             Part::new("tail fin", Material::Plastic, [fin]),
             Part::new("antenna, sensor", Material::Plastic, [boom, sensor]),
+        ],
+    }
+}
+
+/// A thruster about z: duct, motor, three blades.
+fn thruster() -> Vec<Solid> {
+    let duct = lathe_ring(&[[0.050, -0.03], [0.056, -0.032], [0.060, 0.0], [0.056, 0.032], [0.050, 0.03]], 24);
+    let motor = lathe(&[[0.0, -0.045], [0.014, -0.040], [0.020, -0.02], [0.020, 0.03], [0.0, 0.035]], 12);
+    let struts = rod([-0.053, 0.0, 0.01], [0.053, 0.0, 0.01], 0.004, 4);
+    [vec![duct, motor, struts], screw(0.047, 0.018, 0.08, 3, 2)].concat()
+}
+
+/// An observation ROV, 0.75 × 0.5 × 0.45 m: foam on an open frame, six thrusters, electronics tube with camera dome, lamps,
+/// gripper, tether.
+fn rov() -> Object {
+    let plate = {
+        let outline = [[-0.34, 0.0], [0.34, 0.0], [0.36, 0.05], [0.32, 0.30], [-0.32, 0.30], [-0.36, 0.05]];
+        let hole = |x: f64, z: f64, w: f64, h: f64| {
+            rounded_rectangle(w, h, 0.03, 3).into_iter().map(|p| [p[0] + x, p[1] + z]).collect()
+        };
+        prism(&outline, &[hole(-0.17, 0.15, 0.22, 0.17), hole(0.16, 0.15, 0.22, 0.17)], [-0.007, 0.007])
+            .turned(Axis::X, 90.0)
+    };
+    let plates = [-0.22, 0.22].map(|y| plate.clone().at(0.0, y, 0.0));
+    let skids = cuboid([0.70, 0.04, 0.02], [0.0, 0.22, 0.0]).mirrored(Axis::Y);
+    let bars = [[-0.30, 0.03], [0.30, 0.03], [-0.28, 0.27], [0.28, 0.27], [0.0, 0.03]]
+        .map(|[x, z]| rod([x, -0.22, z], [x, 0.22, z], 0.012, 8));
+    let foam = |y: f64| {
+        let ring = |shrink: f64, z: f64| -> Vec<DVec3> {
+            rounded_rectangle(0.66 - shrink, 0.21 - shrink, 0.05, 4)
+                .into_iter()
+                .map(|[u, v]| DVec3::new(u, v + y, z))
+                .collect()
+        };
+        capped(&[ring(0.02, 0.295), ring(0.0, 0.31), ring(0.0, 0.40), ring(0.05, 0.43)])
+    };
+    let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
+    let housing = lying(lathe(
+        &[
+            [0.0, -0.20],
+            [0.085, -0.20],
+            [0.085, -0.18],
+            [0.078, -0.175],
+            [0.078, 0.175],
+            [0.085, 0.18],
+            [0.085, 0.20],
+            [0.0, 0.20],
+        ],
+        28,
+    ))
+    .at(0.02, 0.0, 0.19);
+    let battery = lying(lathe(&[[0.0, -0.16], [0.055, -0.16], [0.055, 0.16], [0.0, 0.16]], 20)).at(-0.02, 0.0, 0.075);
+    let mut cap: Vec<Point> = vec![[0.0, 0.195]];
+    cap.extend(dome(0.076, 0.20, 0.07, 6));
+    let camera = lying(lathe(&cap, 28)).at(0.02, 0.0, 0.19);
+    let lamps = [[0.14, 0.27], [0.14, 0.10]].into_iter().flat_map(|[y, z]| {
+        lying(lathe(&[[0.0, 0.24], [0.022, 0.24], [0.030, 0.29], [0.028, 0.33], [0.0, 0.335]], 14))
+            .at(0.0, y, z)
+            .mirrored(Axis::Y)
+    });
+    let mut thrusters = Vec::new();
+    for (x, turn) in [(0.23, 45.0), (-0.23, -45.0)] {
+        for solid in thruster() {
+            thrusters.extend(lying(solid).turned(Axis::Z, turn).at(x, 0.15, 0.17).mirrored(Axis::Y));
+        }
+    }
+    thrusters.extend(thruster().into_iter().flat_map(|solid| solid.at(0.0, 0.29, 0.34).mirrored(Axis::Y)));
+    let mounts = cuboid([0.05, 0.06, 0.02], [0.0, 0.225, 0.31]).mirrored(Axis::Y);
+    let gripper = [
+        rod([0.26, 0.0, 0.05], [0.42, 0.0, 0.05], 0.016, 10),
+        rod([0.42, 0.010, 0.05], [0.49, 0.03, 0.05], 0.007, 6),
+        rod([0.42, -0.010, 0.05], [0.49, -0.03, 0.05], 0.007, 6),
+    ];
+    let tether =
+        tube(&spline(&[[-0.19, 0.0, 0.22], [-0.34, 0.0, 0.27], [-0.42, 0.03, 0.40], [-0.46, 0.08, 0.58]], 5), 0.006, 8);
+    Object {
+        uid: "rov",
+        name: "observation ROV, open frame",
+        label: "rov",
+        tags: "remotely operated vehicle;underwater robot;robot;inspection vehicle;vehicle",
+        parts: vec![
+            Part::new(
+                "frame",
+                Material::Plastic,
+                [plates.to_vec(), skids.into(), mounts.into(), vec![foam(0.115), foam(-0.115)]].concat(),
+            ),
+            Part::new(
+                "tubes and bars",
+                Material::Aluminium,
+                [vec![housing, battery], bars.into(), gripper.into()].concat(),
+            ),
+            Part::new("camera and lamps", Material::Glass, lamps.chain([camera]).collect::<Vec<_>>()),
+            Part::new("thrusters", Material::Plastic, thrusters),
+            Part::new("tether", Material::Rubber, [tether]),
+        ],
+    }
+}
+
+/// A midget submarine of the second world war, 12 m: spindle hull with its keel, low tower with dome, two torpedoes alongside,
+/// shrouded screw, rudders.
+fn submarine() -> Object {
+    let hull = body(
+        &[
+            [-5.75, 0.06, 0.08, 0.10],
+            [-5.2, 0.20, 0.26, 0.08],
+            [-4.0, 0.46, 0.56, 0.03],
+            [-2.0, 0.70, 0.80, 0.0],
+            [0.5, 0.74, 0.84, 0.0],
+            [3.0, 0.68, 0.78, 0.0],
+            [4.6, 0.48, 0.60, 0.04],
+            [5.6, 0.22, 0.34, 0.10],
+            [6.0, 0.05, 0.12, 0.14],
+        ],
+        4,
+        28,
+    );
+    let keel = cuboid([6.6, 0.5, 0.34], [0.2, 0.0, -0.85]);
+    let deck = body(
+        &[
+            [-4.4, 0.10, 0.08, 0.62],
+            [-3.2, 0.28, 0.16, 0.78],
+            [0.0, 0.32, 0.18, 0.86],
+            [3.4, 0.28, 0.16, 0.76],
+            [4.9, 0.10, 0.10, 0.58],
+        ],
+        3,
+        14,
+    );
+    let tower = |half: f64, length: f64, z: f64| -> Vec<DVec3> {
+        ellipse(length / 2.0, half, 24).into_iter().map(|[x, y]| DVec3::new(x + 0.35, y, z)).collect()
+    };
+    let tower =
+        capped(&[tower(0.40, 1.9, 0.75), tower(0.36, 1.6, 1.30), tower(0.33, 1.45, 1.42), tower(0.28, 1.3, 1.45)]);
+    let mut dome_line: Vec<Point> = vec![[0.0, 1.40], [0.19, 1.40]];
+    dome_line.extend(dome(0.18, 1.46, 0.15, 5));
+    let hatch = lathe(&dome_line, 20).at(0.55, 0.0, 0.0);
+    let pipes = [
+        rod([0.05, 0.0, 1.4], [0.05, 0.0, 2.75], 0.045, 10),
+        rod([0.0, 0.0, 2.72], [0.14, 0.0, 2.72], 0.055, 10),
+        rod([-0.35, 0.0, 1.3], [-0.35, 0.0, 2.2], 0.06, 10),
+    ];
+    let mut eel: Vec<Point> = vec![[0.0, -3.5], [0.05, -3.48], [0.20, -2.7], [0.2665, -2.0], [0.2665, 3.0]];
+    eel.extend(smooth(&[[0.262, 3.2], [0.22, 3.42], [0.12, 3.55]], 2));
+    eel.push([0.0, 3.58]);
+    let eels = along_x(&eel, 24).at(-0.2, 0.86, -0.62).mirrored(Axis::Y);
+    let clamps = [-1.6, 1.6].into_iter().flat_map(|x| cuboid([0.12, 0.34, 0.16], [x, 0.68, -0.40]).mirrored(Axis::Y));
+    let shroud = lathe_ring(&[[0.34, -0.16], [0.37, -0.16], [0.38, 0.16], [0.33, 0.16]], 28)
+        .turned(Axis::Y, 90.0)
+        .at(-6.0, 0.0, 0.10);
+    let blades: Vec<Solid> =
+        screw(0.31, 0.08, 0.5, 3, 5).into_iter().map(|blade| blade.turned(Axis::Y, 90.0).at(-6.0, 0.0, 0.10)).collect();
+    let hub = along_x(&[[0.0, -6.16], [0.05, -6.12], [0.08, -6.0], [0.08, -5.7], [0.0, -5.7]], 14).at(0.0, 0.0, 0.10);
+    let rudders = [
+        wing([0.9, 0.08], [0.6, 0.05], DVec3::new(-5.0, 0.0, 0.2), DVec3::new(-5.3, 0.0, 0.85)),
+        wing([0.9, 0.08], [0.6, 0.05], DVec3::new(-5.0, 0.0, -0.1), DVec3::new(-5.3, 0.0, -0.72)),
+    ];
+    let planes =
+        wing([0.8, 0.08], [0.55, 0.04], DVec3::new(-5.0, 0.08, 0.08), DVec3::new(-5.25, 0.78, 0.08)).mirrored(Axis::Y);
+    let fittings = [pipes.to_vec(), vec![shroud, hub], blades, rudders.into(), planes.into()].concat();
+    Object {
+        uid: "submarine",
+        name: "midget submarine, 12 m",
+        label: "submarine",
+        tags: "u-boat;midget submarine;boat;wreck;vessel;hull",
+        parts: vec![
+            Part::new("hull", Material::Steel, [hull, keel, deck]),
+            Part::new("tower", Material::Steel, [tower, hatch]),
+            Part::new("fittings", Material::Steel, fittings),
+            Part::new("torpedoes", Material::Steel, eels.into_iter().chain(clamps).collect::<Vec<_>>()),
         ],
     }
 }

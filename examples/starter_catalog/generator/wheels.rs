@@ -35,7 +35,8 @@ const TYRE_OUTSIDE: [Point; 16] = [
 const TYRE_INSIDE: [Point; 5] = [[0.3000, 0.0], [0.2970, 0.050], [0.2840, 0.0820], [0.2480, 0.0900], [0.2150, 0.0750]];
 
 /// The tyre about z. Every third row is cut down at the shoulders, which leaves the lugs of the tread.
-fn tyre(around: usize) -> Solid {
+#[must_use]
+pub fn tyre(around: usize) -> Solid {
     let mirror = |p: &Point| [p[0], -p[1]];
     let mut section: Vec<Point> = TYRE_OUTSIDE.to_vec();
     section.extend(TYRE_OUTSIDE.iter().rev().skip(1).map(mirror));
