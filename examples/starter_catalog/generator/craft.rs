@@ -163,6 +163,28 @@ fn helicopter() -> Object {
     );
     let level =
         wing([0.42, 0.05], [0.36, 0.03], DVec3::new(-4.2, 0.05, 1.66), DVec3::new(-4.2, 0.95, 1.66)).mirrored(Axis::Y);
+    let exhaust = rod([-0.75, 0.12, 2.1], [-1.05, 0.2, 2.38], 0.10, 10).mirrored(Axis::Y);
+    Object {
+        uid: "helicopter",
+        name: "light helicopter, 9 m",
+        label: "helicopter",
+        tags: "chopper;rotorcraft;aircraft wreck;wreck;vehicle",
+        parts: vec![
+            Part::new(
+                "body",
+                Material::Aluminium,
+                [cabin, cowling, upright].into_iter().chain(level).collect::<Vec<_>>(),
+            ),
+            Part::new("canopy", Material::Glass, [canopy]),
+            Part::new("rotors", Material::Aluminium, rotors()),
+            Part::new("skids", Material::Aluminium, skids()),
+            Part::new("exhausts", Material::Steel, exhaust),
+        ],
+    }
+}
+
+/// Mast, main rotor with its bent blade, tail rotor.
+fn rotors() -> Vec<Solid> {
     let mast = [
         cylinder(0.06, [2.1, 2.78], 12),
         cylinder(0.17, [2.66, 2.80], 16),
@@ -183,6 +205,10 @@ fn helicopter() -> Object {
             plank([0.0, 0.16, 0.05], [0.0, 0.16, 0.82], DVec3::X, [0.13, 0.025]).turned(Axis::Y, a).at(-5.98, 0.0, 1.95)
         })
         .into();
+    [mast.to_vec(), vec![blade(62.0, 0.0), blade(242.0, 0.085)], tail_rotor].concat()
+}
+
+fn skids() -> Vec<Solid> {
     let skids = tube(
         &spline(
             &[[-1.45, 0.92, 0.05], [0.2, 0.92, 0.05], [1.4, 0.92, 0.06], [1.75, 0.92, 0.16], [1.92, 0.92, 0.30]],
@@ -198,26 +224,5 @@ fn helicopter() -> Object {
                 .mirrored(Axis::Y)
         })
         .collect();
-    let exhaust = rod([-0.75, 0.12, 2.1], [-1.05, 0.2, 2.38], 0.10, 10).mirrored(Axis::Y);
-    Object {
-        uid: "helicopter",
-        name: "light helicopter, 9 m",
-        label: "helicopter",
-        tags: "chopper;rotorcraft;aircraft wreck;wreck;vehicle",
-        parts: vec![
-            Part::new(
-                "body",
-                Material::Aluminium,
-                [cabin, cowling, upright].into_iter().chain(level).collect::<Vec<_>>(),
-            ),
-            Part::new("canopy", Material::Glass, [canopy]),
-            Part::new(
-                "rotor",
-                Material::Aluminium,
-                [mast.to_vec(), vec![blade(62.0, 0.0), blade(242.0, 0.085)], tail_rotor].concat(),
-            ),
-            Part::new("skids", Material::Aluminium, [skids.mirrored(Axis::Y).to_vec(), legs].concat()),
-            Part::new("exhausts", Material::Steel, exhaust),
-        ],
-    }
+    [skids.mirrored(Axis::Y).to_vec(), legs].concat()
 }

@@ -112,31 +112,12 @@ fn thruster() -> Vec<Solid> {
     [vec![duct, motor, struts], screw(0.047, 0.018, 0.08, 3, 2)].concat()
 }
 
-/// An observation ROV, 0.75 × 0.5 × 0.45 m: foam on an open frame, six thrusters, electronics tube with camera dome, lamps,
+/// An observation ROV, its frame 0.72 × 0.45 × 0.43 m: foam on an open frame, six thrusters, electronics tube with camera dome, lamps,
 /// gripper, tether.
 fn rov() -> Object {
-    let plate = {
-        let outline = [[-0.34, 0.0], [0.34, 0.0], [0.36, 0.05], [0.32, 0.30], [-0.32, 0.30], [-0.36, 0.05]];
-        let hole = |x: f64, z: f64, w: f64, h: f64| {
-            rounded_rectangle(w, h, 0.03, 3).into_iter().map(|p| [p[0] + x, p[1] + z]).collect()
-        };
-        prism(&outline, &[hole(-0.17, 0.15, 0.22, 0.17), hole(0.16, 0.15, 0.22, 0.17)], [-0.007, 0.007])
-            .turned(Axis::X, 90.0)
-    };
-    let plates = [-0.22, 0.22].map(|y| plate.clone().at(0.0, y, 0.0));
-    let skids = cuboid([0.70, 0.04, 0.02], [0.0, 0.22, 0.0]).mirrored(Axis::Y);
+    let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
     let bars = [[-0.30, 0.03], [0.30, 0.03], [-0.28, 0.27], [0.28, 0.27], [0.0, 0.03]]
         .map(|[x, z]| rod([x, -0.22, z], [x, 0.22, z], 0.012, 8));
-    let foam = |y: f64| {
-        let ring = |shrink: f64, z: f64| -> Vec<DVec3> {
-            rounded_rectangle(0.66 - shrink, 0.21 - shrink, 0.05, 4)
-                .into_iter()
-                .map(|[u, v]| DVec3::new(u, v + y, z))
-                .collect()
-        };
-        capped(&[ring(0.02, 0.295), ring(0.0, 0.31), ring(0.0, 0.40), ring(0.05, 0.43)])
-    };
-    let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
     let housing = lying(lathe(
         &[
             [0.0, -0.20],
@@ -160,14 +141,6 @@ fn rov() -> Object {
             .at(0.0, y, z)
             .mirrored(Axis::Y)
     });
-    let mut thrusters = Vec::new();
-    for (x, turn) in [(0.23, 45.0), (-0.23, -45.0)] {
-        for solid in thruster() {
-            thrusters.extend(lying(solid).turned(Axis::Z, turn).at(x, 0.15, 0.17).mirrored(Axis::Y));
-        }
-    }
-    thrusters.extend(thruster().into_iter().flat_map(|solid| solid.at(0.0, 0.29, 0.34).mirrored(Axis::Y)));
-    let mounts = cuboid([0.05, 0.06, 0.02], [0.0, 0.225, 0.31]).mirrored(Axis::Y);
     let gripper = [
         rod([0.26, 0.0, 0.05], [0.42, 0.0, 0.05], 0.016, 10),
         rod([0.42, 0.010, 0.05], [0.49, 0.03, 0.05], 0.007, 6),
@@ -181,21 +154,55 @@ fn rov() -> Object {
         label: "rov",
         tags: "remotely operated vehicle;underwater robot;robot;inspection vehicle;vehicle",
         parts: vec![
-            Part::new(
-                "frame",
-                Material::Plastic,
-                [plates.to_vec(), skids.into(), mounts.into(), vec![foam(0.115), foam(-0.115)]].concat(),
-            ),
+            Part::new("frame", Material::Plastic, rov_frame()),
             Part::new(
                 "tubes and bars",
                 Material::Aluminium,
                 [vec![housing, battery], bars.into(), gripper.into()].concat(),
             ),
             Part::new("camera and lamps", Material::Glass, lamps.chain([camera]).collect::<Vec<_>>()),
-            Part::new("thrusters", Material::Plastic, thrusters),
+            Part::new("thrusters", Material::Plastic, rov_thrusters()),
             Part::new("tether", Material::Rubber, [tether]),
         ],
     }
+}
+
+/// Two side plates on skids, brackets, two blocks of foam.
+fn rov_frame() -> Vec<Solid> {
+    let plate = {
+        let outline = [[-0.34, 0.0], [0.34, 0.0], [0.36, 0.05], [0.32, 0.30], [-0.32, 0.30], [-0.36, 0.05]];
+        let hole = |x: f64, z: f64, w: f64, h: f64| {
+            rounded_rectangle(w, h, 0.03, 3).into_iter().map(|p| [p[0] + x, p[1] + z]).collect()
+        };
+        prism(&outline, &[hole(-0.17, 0.15, 0.22, 0.17), hole(0.16, 0.15, 0.22, 0.17)], [-0.007, 0.007])
+            .turned(Axis::X, 90.0)
+    };
+    let plates = [-0.22, 0.22].map(|y| plate.clone().at(0.0, y, 0.0));
+    let skids = cuboid([0.70, 0.04, 0.02], [0.0, 0.22, 0.0]).mirrored(Axis::Y);
+    let foam = |y: f64| {
+        let ring = |shrink: f64, z: f64| -> Vec<DVec3> {
+            rounded_rectangle(0.66 - shrink, 0.21 - shrink, 0.05, 4)
+                .into_iter()
+                .map(|[u, v]| DVec3::new(u, v + y, z))
+                .collect()
+        };
+        capped(&[ring(0.02, 0.295), ring(0.0, 0.31), ring(0.0, 0.40), ring(0.05, 0.43)])
+    };
+    let mounts = cuboid([0.05, 0.06, 0.02], [0.0, 0.225, 0.31]).mirrored(Axis::Y);
+    [plates.to_vec(), skids.into(), mounts.into(), vec![foam(0.115), foam(-0.115)]].concat()
+}
+
+/// Four that push along and across, two that push up.
+fn rov_thrusters() -> Vec<Solid> {
+    let lying = |solid: Solid| solid.turned(Axis::Y, 90.0);
+    let mut thrusters = Vec::new();
+    for (x, turn) in [(0.23, 45.0), (-0.23, -45.0)] {
+        for solid in thruster() {
+            thrusters.extend(lying(solid).turned(Axis::Z, turn).at(x, 0.15, 0.17).mirrored(Axis::Y));
+        }
+    }
+    thrusters.extend(thruster().into_iter().flat_map(|solid| solid.at(0.0, 0.29, 0.34).mirrored(Axis::Y)));
+    thrusters
 }
 
 /// A midget submarine of the second world war, 12 m: spindle hull with its keel, low tower with dome, two torpedoes alongside,

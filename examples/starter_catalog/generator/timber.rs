@@ -61,6 +61,36 @@ fn strake(from: f64, to: f64, girth: f64, side: f64) -> Solid {
 fn wooden_wreck() -> Object {
     let noise = Noise::of("shipwreck-wooden");
     let heel = |solid: Solid| solid.turned(Axis::X, 9.0);
+    let (frames, strakes) = sides(&noise);
+    let beams = [[-4.6, 2.0, 1.9], [-3.4, 2.1, 1.7], [5.2, 1.7, 2.0]]
+        .map(|[x, y, z]| plank([x, -y, z - 0.2], [x + 0.15, y, z], DVec3::X, [0.2, 0.2]));
+    let windlass = [
+        cylinder(0.24, [-1.1, 1.1], 12).turned(Axis::X, 90.0).at(5.9, 0.0, 1.75),
+        plank([5.9, -0.9, 0.5], [5.9, -0.9, 2.2], DVec3::X, [0.25, 0.16]),
+        plank([5.9, 0.9, 0.5], [5.9, 0.9, 2.2], DVec3::X, [0.25, 0.16]),
+    ];
+    Object {
+        uid: "shipwreck-wooden",
+        name: "wreck of a wooden sailing ship, 17 m",
+        label: "shipwreck",
+        tags: "wooden wreck;wooden ship;sailing ship;ship;wreck;vessel;hull;archaeology;ribs",
+        parts: vec![
+            Part::new("frames", Material::Wood, frames.into_iter().map(heel).collect::<Vec<_>>()),
+            Part::new("strakes", Material::Wood, strakes.into_iter().map(heel).collect::<Vec<_>>()),
+            Part::new("keel, stem, stern", Material::Wood, spine().into_iter().map(heel).collect::<Vec<_>>()),
+            Part::new(
+                "beams and windlass",
+                Material::Wood,
+                beams.into_iter().chain(windlass).map(heel).collect::<Vec<_>>(),
+            ),
+            Part::new("ballast", Material::Rock, ballast(&noise).into_iter().map(heel).collect::<Vec<_>>()),
+            Part::new("loose timber", Material::Wood, loose_timber()),
+        ],
+    }
+}
+
+/// Frames and strakes of both sides.
+fn sides(noise: &Noise) -> (Vec<Solid>, Vec<Solid>) {
     let mut frames = Vec::new();
     let mut strakes = Vec::new();
     for (k, side) in [-1.0, 1.0].into_iter().enumerate() {
@@ -70,7 +100,7 @@ fn wooden_wreck() -> Object {
             stations
                 .enumerate()
                 .filter(|(i, _)| ![9, 15].contains(&(i + 4 * k)))
-                .map(|(_, t)| frame(t, side, left_standing(&noise, t, side))),
+                .map(|(_, t)| frame(t, side, left_standing(noise, t, side))),
         );
         for row in 0..7 {
             let girth = 0.10 + 0.095 * f64::from(row);
@@ -83,6 +113,11 @@ fn wooden_wreck() -> Object {
             }
         }
     }
+    (frames, strakes)
+}
+
+/// Keel, keelson, mast's stump, transom, rudder, stem and sternpost.
+fn spine() -> Vec<Solid> {
     let curved = |points: &[[f64; 3]], size: Point| {
         sweep(&spline(points, 4), Path::Open, DVec3::Y, |_| rectangle(size[0], size[1]))
     };
@@ -96,13 +131,11 @@ fn wooden_wreck() -> Object {
         cuboid([0.10, 2.2, 1.5], [-7.55, 0.0, 1.9]),
         plank([-7.8, 0.0, 0.1], [-8.3, 0.0, 2.2], DVec3::Y, [0.10, 0.7]),
     ];
-    let beams = [[-4.6, 2.0, 1.9], [-3.4, 2.1, 1.7], [5.2, 1.7, 2.0]]
-        .map(|[x, y, z]| plank([x, -y, z - 0.2], [x + 0.15, y, z], DVec3::X, [0.2, 0.2]));
-    let windlass = [
-        cylinder(0.24, [-1.1, 1.1], 12).turned(Axis::X, 90.0).at(5.9, 0.0, 1.75),
-        plank([5.9, -0.9, 0.5], [5.9, -0.9, 2.2], DVec3::X, [0.25, 0.16]),
-        plank([5.9, 0.9, 0.5], [5.9, 0.9, 2.2], DVec3::X, [0.25, 0.16]),
-    ];
+    spine.into_iter().chain([stem, post]).collect()
+}
+
+/// A heap of stones amidships.
+fn ballast(noise: &Noise) -> Vec<Solid> {
     let stones = (0..26).map(|i| {
         let [u, v, w] = [1.3, 2.7, 4.9].map(|k| noise.at(DVec3::new(k * f64::from(i) + 0.37, k, 0.21 * f64::from(i))));
         let size = 0.17 + 0.10 * w.abs();
@@ -110,6 +143,11 @@ fn wooden_wreck() -> Object {
         let x = -2.6 + 0.145 * f64::from(i) + 1.2 * u;
         icosphere(2).mapped(rough).turned(Axis::Z, 40.0 * f64::from(i)).at(x, 1.5 * v, 0.34 + 0.35 * (0.5 - v.abs()))
     });
+    stones.collect()
+}
+
+/// Planks and a spar on the bottom beside the wreck.
+fn loose_timber() -> Vec<Solid> {
     let litter = [
         [-3.0, -4.0, 25.0],
         [0.5, -3.6, -12.0],
@@ -121,28 +159,7 @@ fn wooden_wreck() -> Object {
     let litter =
         litter.map(|[x, y, turn]| cuboid([3.2, 0.28, 0.07], [0.0, 0.0, 0.0]).turned(Axis::Z, turn).at(x, y, -0.24));
     let spar = rod([-6.0, -4.6, -0.13], [3.0, -3.2, -0.13], 0.14, 10);
-    Object {
-        uid: "shipwreck-wooden",
-        name: "wreck of a wooden sailing ship, 17 m",
-        label: "shipwreck",
-        tags: "wooden wreck;wooden ship;sailing ship;ship;wreck;vessel;hull;archaeology;ribs",
-        parts: vec![
-            Part::new("frames", Material::Wood, frames.into_iter().map(heel).collect::<Vec<_>>()),
-            Part::new("strakes", Material::Wood, strakes.into_iter().map(heel).collect::<Vec<_>>()),
-            Part::new(
-                "keel, stem, stern",
-                Material::Wood,
-                spine.into_iter().chain([stem, post]).map(heel).collect::<Vec<_>>(),
-            ),
-            Part::new(
-                "beams and windlass",
-                Material::Wood,
-                beams.into_iter().chain(windlass).map(heel).collect::<Vec<_>>(),
-            ),
-            Part::new("ballast", Material::Rock, stones.map(heel).collect::<Vec<_>>()),
-            Part::new("loose timber", Material::Wood, litter.into_iter().chain([spar]).collect::<Vec<_>>()),
-        ],
-    }
+    litter.into_iter().chain([spar]).collect()
 }
 
 /// A closed section of the yacht at a share of its length from the transom: round below, nearly flat deck above.
