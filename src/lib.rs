@@ -47,7 +47,7 @@
 //!
 //! The floors, from the ground up; a module imports only from floors below its own: `math` · `physics`, `recipe` ·
 //! `catalog`, `vehicle` · `scene` · `sonar` · `image`, `label` · `store`, `plan` · `export`, `view`, `realism`,
-//! `run` · `cli`.
+//! `run` · `draft` · `cli`.
 
 pub mod recipe;
 
@@ -65,6 +65,7 @@ pub mod label;
 
 pub mod store;
 
+pub mod draft;
 pub mod export;
 pub mod realism;
 pub mod run;

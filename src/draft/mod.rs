@@ -1,0 +1,20 @@
+//! From a sentence to a recipe, and from a sentence to a change of one.
+//!
+//! ```text
+//!            ┌ read ─────────┐
+//! prompt ────┤               ├──► Wish ── compose ──► recipe text with comments ── checked as any recipe
+//!            └ model ─ HTTP ─┘
+//! ```
+//! A drafter only says what was asked for, as a [`Wish`] of closed kinds, numbers and names of models that are in a catalog;
+//! the recipe is written by this program. So no path, address, command or YAML of a prompt, a catalog or a language model
+//! gets anywhere. Knows nothing of rendering; a run never comes back here.
+
+mod known;
+mod prompt;
+mod refusal;
+pub mod wish;
+
+pub use known::{Known, Models};
+pub use prompt::{Options, Prompt};
+pub use refusal::{Problem, Refusal};
+pub use wish::Wish;
