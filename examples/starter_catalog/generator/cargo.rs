@@ -95,7 +95,7 @@ fn container_doors(x: f64, y: f64, z: f64) -> Vec<Solid> {
 /// A cask of 225 l, 0.70 × 0.95 m: staves, six iron hoops, heads within the chime, a bung; on its side.
 fn barrel() -> Object {
     let side = smooth(
-        &[[0.285, 0.0], [0.318, 0.20], [0.338, 0.36], [0.345, 0.475], [0.338, 0.59], [0.318, 0.75], [0.285, 0.95]],
+        &[[0.285, 0.0], [0.317, 0.20], [0.338, 0.36], [0.345, 0.475], [0.338, 0.59], [0.317, 0.75], [0.285, 0.95]],
         2,
     );
     let mut profile: Vec<Point> = vec![[0.0, 0.045], [0.268, 0.045], [0.268, 0.005]];

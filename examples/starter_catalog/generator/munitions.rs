@@ -153,7 +153,7 @@ fn grenade() -> Object {
     profile.extend([[0.012, 0.088], [0.0, 0.088]]);
     let body = lathe(&profile, 48);
     let grooved = |i: usize, p: DVec3| {
-        let groove = i % 48 % 6 == 0 && (0.004..0.086).contains(&p.z);
+        let groove = (i % 48).is_multiple_of(6) && (0.004..0.086).contains(&p.z);
         let shrink = if groove { 0.91 } else { 1.0 };
         DVec3::new(shrink * p.x, shrink * p.y, p.z)
     };
