@@ -13,10 +13,13 @@ pub mod annotate;
 pub mod check;
 pub mod compose;
 mod drafter;
+pub(crate) mod find;
 pub mod infer;
 mod known;
 mod prompt;
+pub mod read;
 mod refusal;
+pub(crate) mod sense;
 pub mod wish;
 
 pub use compose::{Composed, compose, composed};
