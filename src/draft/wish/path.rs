@@ -17,6 +17,8 @@ pub struct Path {
     pub speed_m_s: Option<Said<Amount>>,
     /// Where it is: x east, y north, z up, metres.
     pub position_m: Option<Said<[f64; 3]>>,
+    /// Places that it passes in this order: x east, y north, z up, metres.
+    pub points_m: Option<Said<Vec<[f64; 3]>>>,
     /// Where it looks, degrees counter-clockwise from x (east): north is 90.
     pub heading_deg: Option<Said<f64>>,
 }
