@@ -157,6 +157,14 @@ pub(super) fn water(reading: &mut Reading<'_>) {
             }
         }
     }
+    for (word, range) in [(Word::Shallow, (2.0, 6.0)), (Word::DeepWater, (50.0, 150.0))] {
+        if let Some(tokens) = reading.find(word) {
+            reading.take(tokens.clone());
+            if reading.wish.water.depth_m.is_none() {
+                reading.wish.water.depth_m = Some(reading.said(tokens, Amount::Between(range.0, range.1)));
+            }
+        }
+    }
     for (word, range) in [(Word::Tropical, (24.0, 30.0)), (Word::Arctic, (-1.0, 4.0))] {
         if let Some(tokens) = reading.find(word) {
             reading.take(tokens.clone());

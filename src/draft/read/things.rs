@@ -198,9 +198,18 @@ impl Walk<'_, '_> {
     fn each(&mut self) -> bool {
         let Some(number) = self.reading.number_at(self.at) else { return false };
         let (tokens, value) = (number.tokens.clone(), number.amount.ends()[1]);
+        let bracket = self.reading.text.is_mark(self.at.wrapping_sub(1), '(');
+        let first =
+            self.at == 0 || self.reading.text.is_mark(self.at - 1, '.') || self.reading.text.is_mark(self.at - 1, ';');
         let of_them = matches!(self.reading.text.form(tokens.end), "of")
             && matches!(self.reading.text.form(tokens.end + 1), "them" | "these" | "each" | "it");
         let Some(words) = self.reading.word(tokens.end, Word::Each).or(of_them.then_some(2)) else { return false };
+        // `Generate images of a mine. 150 of them.`
+        if of_them && first && !bracket && self.reading.wish.images.is_none() && value >= 1.0 && value <= 1e5 {
+            self.reading.wish.images = Some(self.reading.said(tokens.clone(), value as u64));
+            self.at = tokens.end + words;
+            return true;
+        }
         if self.group.is_empty() || value.fract() != 0.0 || !(1.0..1e5).contains(&value) {
             return false;
         }
@@ -419,8 +428,9 @@ impl Walk<'_, '_> {
                 self.relation = Some((Relation::On, None, self.at..self.at + 1));
             }
         }
-        if matches!(form, "then" | "also" | "dann" | "luego" | "puis") {
+        if matches!(form, "then" | "also" | "dann" | "luego" | "puis" | "put" | "place" | "set" | "lay") {
             self.closed = true;
+            self.lead.clear();
         }
     }
 
