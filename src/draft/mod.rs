@@ -10,8 +10,10 @@
 //! gets anywhere. Knows nothing of rendering; a run never comes back here.
 
 mod known;
+pub mod model;
 mod prompt;
 mod refusal;
+pub mod transcript;
 pub mod wish;
 
 pub use known::{Known, Models};
