@@ -9,9 +9,11 @@
 //! the recipe is written by this program. So no path, address, command or YAML of a prompt, a catalog or a language model
 //! gets anywhere. Knows nothing of rendering; a run never comes back here.
 
+pub(crate) mod find;
 mod known;
 pub mod model;
 mod prompt;
+pub(crate) mod read;
 mod refusal;
 pub mod transcript;
 pub mod wish;
