@@ -165,7 +165,10 @@ mod tests {
             "altitude_m": 2, "distance_m": 3, "distance_most_m": 4, "spacing_m": 2, "length_m": 20, "train": 80, "val": 10,
             "test": 10, "looks": ["no-noise"], "refusal": null}"#;
         let answer = parsed(all).expect("an answer");
-        assert_eq!((answer.images, answer.objects[0].stand, answer.way), (Some(5), Some(StandWord::InAHeap), Some(Way::ManySides)));
+        assert_eq!(
+            (answer.images, answer.objects[0].stand, answer.way),
+            (Some(5), Some(StandWord::InAHeap), Some(Way::ManySides))
+        );
         let Shape::Record(fields) = shape() else { panic!("a record") };
         for field in fields {
             assert!(all.contains(&format!("\"{}\"", field.name)), "{}", field.name);

@@ -7,17 +7,25 @@
 //! ```
 //! A model's text gets nowhere but through the typed answer, and what the answer says must be said by the prompt.
 
+mod answer;
+mod ask;
 mod client;
+mod drafter;
 mod error;
+mod evidence;
 mod exchange;
 mod format;
 mod key;
 mod parse;
 mod reply;
 mod server;
+mod settle;
 mod shape;
+mod to_wish;
+mod translate;
 
 pub use client::{Client, Settings};
+pub use drafter::{Asked, Held, ModelDrafter, NotUnderstood, Understood};
 pub use error::{Fault, ModelError};
 pub use format::{Form, Message, Question, Role};
 pub use key::Key;

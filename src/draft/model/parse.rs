@@ -136,7 +136,9 @@ mod tests {
     fn fences_and_talk_are_no_matter() {
         let one = Answer { objects: vec![Item { name: "tire".into(), count: Some(2) }] };
         let json = r#"{"objects": [{"name": "tire", "count": 2}]}"#;
-        for text in [json.to_owned(), format!("```json\n{json}\n```"), format!("Sure! Here it is:\n{json}\nAnything else?")] {
+        for text in
+            [json.to_owned(), format!("```json\n{json}\n```"), format!("Sure! Here it is:\n{json}\nAnything else?")]
+        {
             assert_eq!(parse_of(&text, false).as_ref(), Ok(&one), "{text}");
         }
     }
@@ -146,10 +148,22 @@ mod tests {
         let fault = |text| parse_of(text, false).expect_err(text).join("; ");
         assert_eq!(fault(""), "the answer is empty");
         assert_eq!(fault("I cannot do that."), "there is no JSON object in the answer");
-        assert_eq!(fault(r#"{"objects": [{"name": "tire", "count": "two"}]}"#), "objects[0].count: a whole number is wanted, not \"two\"");
-        assert_eq!(fault(r#"{"objects": [{"name": "tire", "file": "/etc/passwd"}]}"#), "objects[0]: `file` is no field of the form");
-        assert_eq!(fault(r#"{"objects": [{"name": "a long name", "count": -2}]}"#), "objects[0].name: more than 9 letters; objects[0].count: -2 is not between 1 and 9");
-        assert!(fault(r#"{"objects": [{"name": "ti"#).contains("it stops too early: it ends in `{\"objects\": [{\"name\": \"ti`"));
+        assert_eq!(
+            fault(r#"{"objects": [{"name": "tire", "count": "two"}]}"#),
+            "objects[0].count: a whole number is wanted, not \"two\""
+        );
+        assert_eq!(
+            fault(r#"{"objects": [{"name": "tire", "file": "/etc/passwd"}]}"#),
+            "objects[0]: `file` is no field of the form"
+        );
+        assert_eq!(
+            fault(r#"{"objects": [{"name": "a long name", "count": -2}]}"#),
+            "objects[0].name: more than 9 letters; objects[0].count: -2 is not between 1 and 9"
+        );
+        assert!(
+            fault(r#"{"objects": [{"name": "ti"#)
+                .contains("it stops too early: it ends in `{\"objects\": [{\"name\": \"ti`")
+        );
         assert!(fault("{objects: []}").starts_with("it is no JSON"));
         assert!(parse_of("{\"objects\": [", true).expect_err("cut")[0].contains("cut at the most tokens"));
         let nested = format!("{{\"objects\": {}", "[".repeat(100_000));

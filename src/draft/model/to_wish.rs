@@ -60,7 +60,9 @@ fn thing(item: &Item, label: String, models: Models) -> Thing {
         Some(StandWord::InARow) => vec![Stand::Row(None)],
         Some(StandWord::Leaning) => vec![Stand::Leaning(None)],
     };
-    if stands.is_empty() && let Some(over) = over {
+    if stands.is_empty()
+        && let Some(over) = over
+    {
         stands.push(Stand::Floating(Some(over)));
     }
     stands.extend(buried);
