@@ -40,14 +40,15 @@ impl Evidence {
         let amounts = (0..last).filter_map(|at| quantity_at(&text, at));
         let amounts = amounts.map(|quantity| (text.bytes(quantity.tokens.clone()), quantity)).collect();
         let mut labels = BTreeMap::new();
-        for first in 0..last {
-            for end in (first + 1)..=(first + LONGEST_NAME).min(last) {
-                let is_name = |at: usize| text.tokens[at].kind == Kind::Word;
-                if !(first..end).all(is_name) {
-                    break;
+        // Short names first: `anchor`, not `an anchor`.
+        for length in 1..=LONGEST_NAME {
+            for first in 0..(last + 1).saturating_sub(length) {
+                let tokens = first..first + length;
+                if text.tokens[tokens.clone()].iter().any(|token| token.kind != Kind::Word) {
+                    continue;
                 }
-                if let Ok(found) = find::models(text.words(first..end), known) {
-                    labels.entry(found.label).or_insert_with(|| text.bytes(first..end));
+                if let Ok(found) = find::models(text.words(tokens.clone()), known) {
+                    labels.entry(found.label).or_insert_with(|| text.bytes(tokens));
                 }
             }
         }
@@ -162,7 +163,7 @@ mod tests {
         let words =
             |range: Option<Range<usize>>| range.map(|range| prompt.words(&range).to_owned()).unwrap_or_default();
         assert_eq!(words(evidence.label("tire")), "reifen");
-        assert!(words(evidence.label("anchor")).contains("anchor"));
+        assert_eq!(words(evidence.label("anchor")), "anchor");
         assert_eq!(evidence.label("torpedo"), None);
         assert!(words(evidence.amount(Measure::Length, &Amount::Exactly(12.2))).contains("40 feet"));
         assert_eq!(evidence.amount(Measure::Length, &Amount::Exactly(40.0)), None);

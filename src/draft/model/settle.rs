@@ -334,8 +334,8 @@ mod tests {
 
     #[test]
     fn words_of_the_prompt_count_where_a_model_says_otherwise() {
-        let mut read = Wish { images: Some(Said::by(18..28, 100)), ..Wish::default() };
-        read.water.depth_m = Some(Said::by(10..17, Amount::Exactly(12.192)));
+        let mut read = Wish { images: Some(Said::by(19..29, 100)), ..Wish::default() };
+        read.water.depth_m = Some(Said::by(11..18, Amount::Exactly(12.192)));
         let answer = Answer { images: Some(100), depth_m: Some(40.0), fov_deg: Some(180.0), ..Answer::default() };
         let settled = settled("anchors at 40 feet 100 images", &read, &answer, Reader::Understood);
         assert_eq!(settled.wish.water.depth_m, read.water.depth_m);
