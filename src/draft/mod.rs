@@ -9,7 +9,11 @@
 //! the recipe is written by this program. So no path, address, command or YAML of a prompt, a catalog or a language model
 //! gets anywhere. Knows nothing of rendering; a run never comes back here.
 
+pub mod check;
+pub mod compose;
+mod drafter;
 pub(crate) mod find;
+pub mod infer;
 mod known;
 pub mod model;
 mod prompt;
@@ -18,6 +22,8 @@ mod refusal;
 pub mod transcript;
 pub mod wish;
 
+pub use compose::compose;
+pub use drafter::{Draft, DraftError, Drafter};
 pub use known::{Known, Models};
 pub use prompt::{Options, Prompt};
 pub use refusal::{Problem, Refusal};
