@@ -35,6 +35,11 @@ fn exactly(value: Option<f64>) -> Option<Said<Amount>> {
     value.map(|value| model(Amount::Exactly(value)))
 }
 
+/// Small models write 0 for what is not said: no depth, height or length is that.
+fn positive(value: Option<f64>) -> Option<f64> {
+    value.filter(|value| *value > 0.0)
+}
+
 fn between(least: Option<f64>, most: Option<f64>) -> Option<Said<Amount>> {
     match (least, most) {
         (Some(least), Some(most)) if most > least => Some(model(Amount::Between(least, most))),
@@ -74,8 +79,7 @@ fn ground(answer: &Answer, wish: &mut Wish) {
     wish.seabed.sediments = answer.bottom.map(|bottom| model(sediments(bottom)));
     wish.seabed.shape = answer.shape.map(|relief| model(shape(relief).to_owned()));
     wish.environment = answer.structure.map(|structure| model(environment(structure).to_owned()));
-    // A depth of nothing is no depth.
-    wish.water.depth_m = between(answer.depth_m.filter(|depth| *depth > 0.0), answer.depth_most_m);
+    wish.water.depth_m = between(positive(answer.depth_m), positive(answer.depth_most_m));
     wish.water.turbidity = answer.water.map(|clarity| model(vec![turbidity(clarity).to_owned()]));
     wish.water.temperature_c = exactly(answer.temperature_c);
     wish.water.salinity_ppt = exactly(answer.salinity_ppt);
@@ -148,7 +152,7 @@ fn devices(called: &str) -> Option<Vec<String>> {
 }
 
 fn path(answer: &Answer, wish: &mut Wish) {
-    let (length_m, spacing_m) = (answer.length_m, answer.spacing_m);
+    let (length_m, spacing_m) = (positive(answer.length_m), positive(answer.spacing_m));
     let route = answer.way.and_then(|way| match way {
         Way::Around => Some(Route::Orbit { arc_deg: None, sides: None }),
         Way::Lawnmower => Some(Route::Lawnmower { length_m, width_m: None, spacing_m, lines: None }),
@@ -156,15 +160,15 @@ fn path(answer: &Answer, wish: &mut Wish) {
             let what = answer.structure.map(|structure| environment(structure).to_owned());
             Some(Route::Follow { what, length_m })
         }
-        Way::Approach => Some(Route::Approach { from_m: answer.distance_most_m, to_m: answer.distance_m }),
+        Way::Approach => Some(Route::Approach { from_m: positive(answer.distance_most_m), to_m: positive(answer.distance_m) }),
         Way::ManySides => Some(Route::Views),
         Way::Hover => Some(Route::Hover),
         // Down to where, only the prompt's own numbers say.
         Way::Dive => None,
     });
     wish.path.route = route.map(model);
-    wish.path.altitude_m = exactly(answer.altitude_m);
-    wish.path.range_m = between(answer.distance_m, answer.distance_most_m);
+    wish.path.altitude_m = exactly(positive(answer.altitude_m));
+    wish.path.range_m = between(positive(answer.distance_m), positive(answer.distance_most_m));
 }
 
 fn splits(answer: &Answer) -> Option<Said<Splits>> {
