@@ -17,8 +17,9 @@ pub mod infer;
 mod known;
 pub mod model;
 mod prompt;
-pub(crate) mod read;
+pub mod read;
 mod refusal;
+pub(crate) mod sense;
 pub mod transcript;
 pub mod wish;
 
