@@ -14,7 +14,7 @@ pub(super) fn head(asked: &Asked, by: &str, notes: &[String]) -> Page {
     let wish = asked.wish;
     let mut page = Page::default();
     page.note(0, &format!("Drafted by ensonify {} ({}) from:", env!("CARGO_PKG_VERSION"), cut(by, 60)));
-    page.note(0, &format!("  {}", cut(asked.prompt.text(), LONGEST)));
+    page.quote(&cut(asked.prompt.text(), LONGEST));
     page.note(0, "In quotes: your words. Assumed: what nobody said.");
     for said in &wish.ignored {
         page.note(0, &format!("Ignored: {} - {}", asked.why(&said.source), said.value));
@@ -32,8 +32,8 @@ pub(super) fn head(asked: &Asked, by: &str, notes: &[String]) -> Page {
     for note in wish.notes.iter().chain(notes) {
         page.note(0, &format!("Note: {note}"));
     }
-    page.note(0, "Try it:   ensonify preview THIS_FILE");
-    page.note(0, "Make it:  ensonify run THIS_FILE");
+    page.note(0, "Try it: ensonify preview THIS_FILE");
+    page.note(0, "Make it: ensonify run THIS_FILE");
     page
 }
 

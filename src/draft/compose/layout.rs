@@ -5,7 +5,7 @@ use super::depth::{Depth, UNDER_SURFACE_M, depth};
 use super::placing::{Kind as Pose, Place, Placing};
 use super::structure::{Kind, Structure};
 use super::view::{Terms, View};
-use super::way::{Form, Going, Ground, Way, altitude_of, exact_m, form};
+use super::way::{Form, Going, Ground, Things, Way, altitude_of, exact_m, form};
 use crate::draft::infer::budget::{Budget, budget};
 use crate::draft::infer::device::{Device, Need, choose, device};
 use crate::draft::infer::sight::{self, Sight};
@@ -84,6 +84,7 @@ impl<'a> Layout<'a> {
         let Solved { view, going, device, device_why, near_m, far_m, .. } = solved;
         let budget = budget_of(asked, &going)?;
         let altitude = match &going.way {
+            Way::Hover { .. } => view.altitude.clone(),
             Way::Orbit { .. } if structure.as_ref().is_some_and(|s| s.kind == Kind::NetPen) => view.altitude.clone(),
             _ => altitude_of(asked, &view),
         };
@@ -221,9 +222,11 @@ fn scattered_m(placings: &[Placing]) -> f64 {
         Place::Around(radius) => Some(radius.ends()[1]),
         _ => None,
     });
+    let single = placings.len() == 1 && placings[0].count.most() == 1;
     let rows = scattered().filter(|placing| matches!(placing.manner.kind, Pose::Row(_))).map(Placing::reach_m);
     match said.fold(0.0, f64::max) {
         around if around > 0.0 => around,
+        _ if single => room::stray_m(sight::distance_m(placings[0].bulk.longest_m[1])),
         _ => rows.fold(room::disc_m(sizes), f64::max),
     }
 }
@@ -267,7 +270,11 @@ fn solve(
         Place::FromVehicle(_, distance) => Some(distance),
         _ => None,
     });
-    let (form, why) = form(asked, structure, scattered, from_vehicle.is_some());
+    let of_structure =
+        |placing: &Placing| structure.is_some_and(|structure| structure.is_meant_by(&placing.manner.kind));
+    let at_structure = placings.iter().any(of_structure);
+    let things = Things { scattered, from_vehicle: from_vehicle.is_some(), at_structure };
+    let (form, why) = form(asked, structure, things);
     let mut chosen = said_device(asked)?.unwrap_or_else(|| choose(&Need::default()));
     let is_said = asked.wish.sonar.devices.is_some();
     // A sonar that is chosen for its beam may have another one: twice is enough.
@@ -447,7 +454,8 @@ fn near(asked: &Asked, far_m: f64, view: &View, device: &Device, sizes: Sizes) -
     }
     let nearest = (view.sight.near_m - 0.5 * sizes.longest_m).max(0.2);
     let near = (NEAR * far_m).max(NEAR_M).min(0.6 * nearest).max(device.range_m[0].min(0.5 * far_m));
-    Ok(((near * 10.0).round() / 10.0).max(0.1).min(0.5 * far_m))
+    let step = if near < 1.0 { 0.1 } else { 0.5 };
+    Ok(((near / step).floor() * step * 10.0).round() / 10.0).map(|near: f64| near.max(0.1).min(0.5 * far_m))
 }
 
 /// The mount's tilt.

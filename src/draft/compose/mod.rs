@@ -10,7 +10,7 @@ mod head;
 mod layout;
 mod looks;
 mod objects;
-mod page;
+pub(in crate::draft) mod page;
 mod path;
 mod placing;
 mod seabed;
@@ -19,7 +19,7 @@ mod structure;
 mod view;
 mod water;
 mod way;
-mod yaml;
+pub(in crate::draft) mod yaml;
 
 #[cfg(test)]
 mod tests;
@@ -32,11 +32,28 @@ use layout::Layout;
 use page::Page;
 use yaml::Yaml;
 
+/// A recipe, and what a person should know of it besides.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Composed {
+    /// Its text.
+    pub recipe: String,
+    /// What could not be as it was asked for, and what to expect: these stand in the recipe's heading too.
+    pub notes: Vec<String>,
+}
+
 /// The text of a recipe that fulfils a wish. `by` is who read the prompt: the built-in drafter, or a model's name.
 ///
 /// # Errors
 /// What of the wish cannot be, with the words that ask for it and the remedy.
 pub fn compose(wish: &Wish, prompt: &Prompt, known: &Known, by: &str) -> Result<String, Refusal> {
+    composed(wish, prompt, known, by).map(|composed| composed.recipe)
+}
+
+/// The same, with its notes.
+///
+/// # Errors
+/// As [`compose`].
+pub fn composed(wish: &Wish, prompt: &Prompt, known: &Known, by: &str) -> Result<Composed, Refusal> {
     let asked = Asked { wish, prompt, assets: AssetCache::new(&known.folder) };
     something(&asked)?;
     let mut notes = Vec::new();
@@ -57,7 +74,8 @@ pub fn compose(wish: &Wish, prompt: &Prompt, known: &Known, by: &str) -> Result<
         notes.push(format!("{} looks of each frame: as many pictures for each", wish.looks.len()));
     }
     let head = head::head(&asked, by, &notes);
-    Ok(head.text() + &page.text())
+    let notes = wish.notes.iter().chain(&notes).map(|note| page::printable(note)).collect();
+    Ok(Composed { recipe: head.text() + &page.text(), notes })
 }
 
 /// Refuses a wish for nothing but what no catalog has.
@@ -85,7 +103,8 @@ fn counts(page: &mut Page, asked: &Asked, layout: &Layout) {
         Some(said) => page.set(0, "seed", &Yaml::whole(said.value), &asked.why(&said.source)),
         None => page.set(0, "seed", &Yaml::whole(0), &assumed("another seed, another dataset")),
     }
-    let product = format!("{} scenes of {} frames", budget.scenes, budget.frames);
+    let plural = |count: u64, name: &str| if count == 1 { format!("1 {name}") } else { format!("{count} {name}s") };
+    let product = format!("{} of {}", plural(budget.scenes, "scene"), plural(budget.frames, "frame"));
     let scenes_why = match (&wish.images, &wish.scenes) {
         (Some(images), Some(scenes)) => {
             format!("{}, {}: {product}", asked.why(&images.source), asked.why(&scenes.source))

@@ -9,7 +9,7 @@ const FARTHEST: usize = 60;
 
 /// Lines of a recipe.
 #[derive(Default)]
-pub(super) struct Page {
+pub(in crate::draft) struct Page {
     lines: Vec<Line>,
 }
 
@@ -32,6 +32,11 @@ impl Page {
         self.lines.push(Line::Blank);
     }
 
+    /// What somebody said, set off from the comments about it.
+    pub fn quote(&mut self, text: &str) {
+        self.lines.push(Line::Note { indent: 0, text: format!("  {}", printable(text)) });
+    }
+
     /// A comment on lines of its own.
     pub fn note(&mut self, indent: usize, text: &str) {
         self.lines.push(Line::Note { indent, text: printable(text) });
@@ -45,6 +50,12 @@ impl Page {
     /// `key:   # comment`, what it holds on the lines below.
     pub fn open(&mut self, indent: usize, key: &'static str, comment: &str) {
         self.line(indent, format!("{key}:"), comment);
+    }
+
+    /// An entry whose key is a name: `key: value   # comment`, without a value what it holds on the lines below.
+    pub fn entry(&mut self, indent: usize, key: &Yaml, value: Option<&Yaml>, comment: &str) {
+        let value = value.map_or(String::new(), |value| format!(" {}", value.text()));
+        self.line(indent, format!("{}:{value}", key.text()), comment);
     }
 
     /// `- key: value   # comment`, the first line of an item.
@@ -104,7 +115,10 @@ fn write(line: &Line, column: usize, out: &mut String) {
 /// A comment of its own, on as many lines as it takes.
 fn note(indent: usize, text: &str, out: &mut String) {
     let begin = format!("{}#", " ".repeat(indent));
-    let mut line = begin.clone();
+    let (text, mut line) = match text.strip_prefix("  ") {
+        Some(quoted) => (quoted, begin.clone() + "  "),
+        None => (text, begin.clone()),
+    };
     for word in text.split(' ') {
         if line.len() > begin.len() && line.chars().count() + 1 + word.chars().count() > WIDE {
             out.push_str(&line);
@@ -119,7 +133,7 @@ fn note(indent: usize, text: &str, out: &mut String) {
 }
 
 /// A text that stays a comment: on one line, without anything that a terminal obeys or that turns its direction.
-pub(super) fn printable(text: &str) -> String {
+pub(in crate::draft) fn printable(text: &str) -> String {
     let seen = |word: &str| -> String {
         word.chars().filter(|c| !c.is_control() && !crate::catalog::text::is_unseen(*c)).collect()
     };

@@ -1,6 +1,7 @@
 //! The structure of a scene: its sides, what of it is referred to, and how much room it leaves.
 
 use super::asked::Asked;
+use super::placing::Kind as Pose;
 use crate::draft::Problem;
 
 /// A kind of the recipe's `environment`.
@@ -113,6 +114,16 @@ impl Structure {
         // A small tank is not deep.
         let deep = depth.unwrap_or_else(|| TANK_M[2].min((0.5 * long.min(wide) * 10.0).round() / 10.0));
         [long, wide, deep]
+    }
+
+    /// Whether a pose refers to it or to a part of it.
+    pub fn is_meant_by(&self, pose: &Pose) -> bool {
+        let is_part = |name: &str| name == self.kind.name() || self.kind.parts().contains(&name);
+        match pose {
+            Pose::Leaning(None) => true,
+            Pose::Leaning(Some(of)) | Pose::On(of) | Pose::Near { of, .. } => is_part(of),
+            Pose::Rest | Pose::Settle | Pose::Float { .. } | Pose::Heap | Pose::Row(_) => false,
+        }
     }
 
     /// Farthest that a vehicle may be from the middle, metres.

@@ -9,13 +9,15 @@ use crate::draft::wish::Amount;
 use crate::math::real::{radians, tan};
 
 /// Distance over the radius of the field of things: its near and far edge are then seen in one beam of 20°.
-const FIELD: f64 = 2.2;
+const FIELD: f64 = 2.0;
 /// Steepest view down that a distance is chosen for, degrees.
 const STEEP_DEG: f64 = 45.0;
 /// Part of the distance that the field may take where it has to be smaller.
 const CROWDED: f64 = 0.5;
-/// Steps outwards, each by a tenth, until everything is in the beam.
-const STEPS: u32 = 24;
+/// Steps outwards, each by a tenth, until everything is in the beam; where these do not suffice the field becomes smaller.
+const STEPS: u32 = 4;
+const SMALLER: f64 = 0.9;
+const SMALLER_STEPS: u32 = 8;
 /// What is not said is varied by this part to either side, from scene to scene.
 pub(super) const VARIED: f64 = 0.12;
 
@@ -107,14 +109,24 @@ impl Terms<'_> {
             let tilted = self.tilt.and_then(|tilt| reach_of_tilt_m(middle(tilt), below));
             distance = tilted.unwrap_or(distance);
         }
-        let mut view = self.with(Amount::Exactly(round(distance.min(self.most_m))), self.altitude_at(distance));
+        distance = distance.min(self.most_m);
+        let fixed = self.tilt.is_some() && self.altitude.is_some();
+        let mut view = self.with(Amount::Exactly(round(distance)), self.altitude_at(distance));
         for _ in 0..STEPS {
             let wider = 1.1 * distance;
-            if view.holds || wider > self.most_m {
+            if view.holds || fixed || wider > self.most_m {
                 break;
             }
             distance = wider;
             view = self.with(Amount::Exactly(round(distance)), self.altitude_at(distance));
+        }
+        let mut closer = self.clone();
+        for _ in 0..SMALLER_STEPS {
+            if view.holds || fixed {
+                break;
+            }
+            closer.field_m *= SMALLER;
+            view = closer.with(view.distance_m, view.altitude);
         }
         view
     }

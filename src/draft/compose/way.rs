@@ -100,13 +100,20 @@ pub(super) enum Form {
     Dive,
 }
 
+/// What a form is chosen by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Things {
+    /// Whether there are several.
+    pub scattered: bool,
+    /// Whether one of them is told from the vehicle.
+    pub from_vehicle: bool,
+    /// Whether one of them leans on the structure, or lies beside it.
+    pub at_structure: bool,
+}
+
 /// The form of way that was asked for, or that suits, with the reason.
-pub(super) fn form(
-    asked: &Asked,
-    structure: Option<&Structure>,
-    scattered: bool,
-    from_vehicle: bool,
-) -> (Form, String) {
+pub(super) fn form(asked: &Asked, structure: Option<&Structure>, of: Things) -> (Form, String) {
+    let Things { scattered, from_vehicle, at_structure } = of;
     let path = &asked.wish.path;
     if let Some(Said { value, source }) = &path.route {
         let form = match value {
@@ -127,6 +134,9 @@ pub(super) fn form(
         return (Form::Hover, asked.why(&said.source));
     }
     let suits = |form: Form, why: &str| (form, assumed(why));
+    if at_structure && structure.is_some_and(|structure| structure.kind != Kind::Pipeline) {
+        return suits(Form::Views, "what stands at a wall is seen from free water, where the sonar is turned to it");
+    }
     let kind = structure.map(|structure| structure.kind);
     if from_vehicle {
         return suits(Form::Hover, "things are told from the vehicle, which keeps its place");

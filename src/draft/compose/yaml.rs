@@ -4,7 +4,7 @@ use crate::draft::wish::Amount;
 
 /// A value as it stands in a recipe, in flow style.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Yaml(String);
+pub(in crate::draft) struct Yaml(String);
 
 /// Values that equal steps make where nobody says how many.
 const STEPS: u32 = 5;

@@ -6,7 +6,9 @@ use crate::catalog::sonars;
 use crate::math::real::radians;
 
 /// Beams over the smallest thing at its distance, at least: its outline is seen.
-const BEAMS_A_THING: f64 = 15.0;
+const BEAMS_A_THING: f64 = 12.0;
+/// Two beams this part of their width apart tell two things apart; closer ones show no more.
+const APART: f64 = 0.5;
 /// Part of a device's range that images may take: its ends are faint.
 const USED: f64 = 0.8;
 /// What is chosen from, in the order of preference: wide fans before narrow ones, fine before far.
@@ -79,10 +81,11 @@ fn ranges(text: &str) -> Option<[f64; 2]> {
 }
 
 impl Device {
-    /// Beams over a thing at a distance.
+    /// Beams over a thing at a distance, such as show more of it.
     #[must_use]
     pub fn beams_over(&self, size_m: f64, distance_m: f64) -> f64 {
-        size_m / (distance_m * radians(self.azimuth_deg / f64::from(self.beams)))
+        let spacing_deg = self.azimuth_deg / f64::from(self.beams);
+        size_m / (distance_m * radians(spacing_deg.max(APART * self.beam_width_deg)))
     }
 }
 
@@ -112,7 +115,9 @@ pub fn choose(need: &Need) -> (Device, String) {
     };
     let resolves = |device: &Device| device.beams_over(need.smallest_m, need.distance_m.max(0.1)) >= BEAMS_A_THING;
     let fits = |(device, _): &(Device, &str)| reaches(device) && (need.smallest_m <= 0.0 || resolves(device));
-    let found = all().find(fits).or_else(|| all().find(|(device, _)| reaches(device))).or_else(|| all().last());
+    let over = |device: &Device| device.beams_over(need.smallest_m, need.distance_m.max(0.1));
+    let finest = || all().filter(|(device, _)| reaches(device)).min_by(|a, b| over(&b.0).total_cmp(&over(&a.0)));
+    let found = all().find(fits).or_else(finest).or_else(|| all().last());
     let (device, why) = found.expect("the table names built-in devices");
     let over = device.beams_over(need.smallest_m, need.distance_m.max(0.1));
     let seen = match over {
@@ -164,8 +169,8 @@ mod tests {
         assert_eq!(chosen(Need { far_m: 200.0, ..ship }), "blueview-m450-130");
         assert_eq!(chosen(Need { frequency_khz: Some(900.0), ..ship }), "blueview-m900-130-mk2");
         assert_eq!(chosen(Need::default()), "oculus-m1200d-lf");
-        // 0.63 m over 512 beams of 130° at 5 m.
+        // 0.63 m at 5 m are 7.22°: half beams of 0.3°.
         let over = device("oculus-m1200d-lf").expect("built in").beams_over(0.63, 5.0);
-        assert!((over - 28.433).abs() < 0.01, "{over}");
+        assert!((over - 24.064).abs() < 0.01, "{over}");
     }
 }

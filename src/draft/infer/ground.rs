@@ -39,6 +39,6 @@ mod tests {
         assert_eq!(cell_m(29.0, Some(0.6), None), 0.08);
         assert_eq!(cell_m(29.0, Some(0.115), None), 0.03);
         assert_eq!(cell_m(200.0, Some(0.115), None), 0.2);
-        assert_eq!(cell_m(200.0, Some(0.115), Some(0.4)), 0.09);
+        assert_eq!(cell_m(200.0, Some(0.115), Some(0.4)), 0.08);
     }
 }

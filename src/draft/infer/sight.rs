@@ -13,8 +13,8 @@ const RISE: f64 = 0.36;
 pub const LEAST_ALTITUDE_M: f64 = 0.5;
 /// Steepest view down that a tilt is chosen for, degrees.
 pub const STEEPEST_DEG: f64 = 75.0;
-/// Part of the vertical beam that things may fill: its edges are 3 dB down.
-pub const USABLE: f64 = 0.9;
+/// Part of the vertical beam that middles of things may fill: they are a little beyond where it is 3 dB down, at most.
+pub const USABLE: f64 = 1.2;
 
 /// Distance from which things of a size are looked at, metres.
 #[must_use]
