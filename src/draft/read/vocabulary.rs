@@ -372,7 +372,7 @@ impl Vocabulary {
     }
 
     /// The languages that a word in common form is of; none if it is in no phrase.
-    pub(super) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
+    pub(in crate::draft) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
         static NONE: BTreeSet<Language> = BTreeSet::new();
         self.languages.get(form).unwrap_or(&NONE)
     }
