@@ -144,12 +144,19 @@ fn uncued(reading: &Reading<'_>, quantity: &Quantity) -> Option<Cue> {
             // `from two to six metres`.
             if matches!(first, "from" | "von" | "de" | "desde" | "从")
                 && quantity.amount.ends()[0] < quantity.amount.ends()[1]
+                && !reading.text.is_mark(start.wrapping_sub(1), ',')
             {
                 return Some(Cue::ObjectRange);
             }
             Some(if is_of_next_thing(reading, quantity) { Cue::Size } else { Cue::Depth })
         }
-        Measure::Number | Measure::Share | Measure::Time => None,
+        Measure::Share => {
+            let buried = (0..reading.len())
+                .any(|at| matches!(reading.text.form(at), "bury" | "buried" | "sink" | "sunk" | "sunken"));
+            (buried && !reading.text.tokens[start].is_mark('%') && quantity.amount.ends()[1] > 0.0)
+                .then_some(Cue::Burial)
+        }
+        Measure::Number | Measure::Time => None,
     }
 }
 
@@ -202,8 +209,14 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
         Cue::BelowSurface | Cue::Altitude | Cue::AboveSurface => {
             return above_or_below(reading, quantity, cue, tokens);
         }
-        Cue::ObjectRange if reading.find(Word::Approach).is_some() && high > low => {
+        Cue::ObjectRange if (reading.find(Word::Approach).is_some() || quantity.falls) && high > low => {
             let route = Route::Approach { from_m: Some(high), to_m: Some(low) };
+            reading.wish.path.route = Some(reading.said(tokens.clone(), route));
+        }
+        Cue::ObjectRange if reading.find(Word::Approach).is_some() && reading.wish.path.range_m.is_some() => {
+            // `from 10 m, stop at 2 m`.
+            let from = reading.wish.path.range_m.take().map_or(high, |said| said.value.ends()[1]);
+            let route = Route::Approach { from_m: Some(from.max(high)), to_m: Some(from.min(high)) };
             reading.wish.path.route = Some(reading.said(tokens.clone(), route));
         }
         Cue::ObjectRange => put(&mut reading.wish.path.range_m),

@@ -6,7 +6,7 @@ use super::determiner::{count_behind, determiner, is_definite};
 use super::measures::StandCue;
 use super::reading::Reading;
 use super::stand::{Relation, StandWord, stand_word};
-use super::token::Kind;
+use super::token::{Kind, Language};
 use super::vocabulary::{Cue, Word, vocabulary};
 use crate::catalog::priors::material_of;
 use crate::draft::wish::{Amount, Count, Said};
@@ -159,6 +159,15 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
         let parted = !name.is_empty() && !reading.text.tokens[at].is_ideograph();
         name + if parted { " " } else { "" } + reading.text.form(at)
     });
+    // `bateau coulé`: behind the noun in other languages.
+    while vocabulary().wrecked.contains(reading.text.form(next))
+        && matches!(reading.text.language, Language::Spanish | Language::French)
+        && reading.is_free(next)
+    {
+        noun.name = format!("{} {}", reading.text.form(next), noun.name);
+        next += 1;
+        noun.named.end = next;
+    }
     next = wreck_of(reading, stands, next, &mut noun);
     // `a debris field`: not one.
     let field = matches!(reading.text.form(next), "field" | "site" | "zone" | "dump" | "collection");

@@ -190,7 +190,8 @@ impl Walk<'_, '_> {
             return;
         }
         // `the wall of the tank`: part of the structure.
-        if self.reading.environment_at.is_some() && is_part(&noun.name) {
+        let place = self.reading.environment_at.is_some() || self.reading.wish.path.route.is_some();
+        if place && is_part(&noun.name) {
             return;
         }
         if self.negating {

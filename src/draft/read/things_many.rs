@@ -126,6 +126,25 @@ impl Walk<'_, '_> {
             self.at = tokens.end + words;
             return true;
         }
+        // `two tyres, one of them half buried`: a part of them.
+        let last = self.group.last().copied().filter(|_| of_them && !bracket);
+        let all = last.and_then(|last| self.reading.wish.things[last].count.as_ref()).map(|said| said.value);
+        if let (Some(last), Some(Count::Exactly(all))) = (last, all)
+            && f64::from(all) > value
+            && value >= 1.0
+        {
+            let part = value as u32;
+            let mut other = self.reading.wish.things[last].clone();
+            other.count = Some(self.reading.said(tokens.clone(), Count::Exactly(part)));
+            if let Some(said) = &mut self.reading.wish.things[last].count {
+                said.value = Count::Exactly(all - part);
+            }
+            self.reading.wish.things.push(other);
+            self.group = vec![self.reading.wish.things.len() - 1];
+            self.at = tokens.end + words;
+            self.closed = true;
+            return true;
+        }
         if self.group.is_empty() || value.fract() != 0.0 || !(1.0..1e5).contains(&value) {
             return false;
         }
