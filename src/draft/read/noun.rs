@@ -79,6 +79,7 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
             let [low, high] = cue.amount.ends();
             noun.stands.push((cue.tokens.clone(), StandWord::Buried(low, high)));
             next = cue.tokens.end;
+            next += usize::from(reading.text.form(next) == "的");
             continue;
         }
         if !reading.is_free(next) {
