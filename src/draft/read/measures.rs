@@ -73,12 +73,28 @@ fn resolved(reading: &Reading<'_>, quantity: &Quantity, cue: Cue, tokens: &Range
     match (cue, subject) {
         (Cue::Spacing | Cue::Apart, Subject::Lines) => Cue::Spacing,
         (Cue::Spacing | Cue::Apart, Subject::Thing | Subject::Afloat) => Cue::Apart,
-        (Cue::Depth, Subject::Vehicle) if !comma && is_cued_behind(quantity, tokens) => Cue::SonarDepth,
+        (Cue::Depth, Subject::Vehicle)
+            if !comma && is_cued_behind(quantity, tokens) && !is_of_water(reading, tokens) =>
+        {
+            Cue::SonarDepth
+        }
+        // `a circle of 8 m radius`.
+        (Cue::Radius, _)
+            if reading
+                .find(Word::Orbit)
+                .is_some_and(|orbit| orbit.end <= tokens.start && orbit.end + 5 > tokens.start) =>
+        {
+            Cue::ObjectRange
+        }
         (Cue::MostRange, _) if is_at(reading, quantity.tokens.start) && quantity.tokens.start == tokens.start => {
             Cue::ObjectRange
         }
         _ => cue,
     }
+}
+
+fn is_of_water(reading: &Reading<'_>, tokens: &Range<usize>) -> bool {
+    tokens.clone().any(|at| matches!(reading.text.form(at), "water" | "wasser" | "agua" | "eau" | "水" | "wassertiefe"))
 }
 
 fn is_cued_behind(quantity: &Quantity, tokens: &Range<usize>) -> bool {
@@ -243,7 +259,7 @@ fn above_or_below(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, toke
         Subject::Afloat => !(comma && cue == Cue::Altitude && is_view(reading, &tokens)),
         // Things on the bottom are not afloat: whose height is told is the sonar.
         Subject::Thing => cue != Cue::Altitude,
-        Subject::Vehicle | Subject::Lines | Subject::Nothing => false,
+        Subject::Vehicle | Subject::View | Subject::Lines | Subject::Nothing => false,
     };
     if cue == Cue::AboveSurface {
         let what = format!("{}: sonar sees nothing above the surface", reading.text.words(tokens.clone()));

@@ -66,7 +66,9 @@ pub fn read(prompt: &Prompt, known: &Known) -> Result<Wish, Refusal> {
     things::spot(&mut reading, stands);
     anything(&mut reading);
     options(&mut reading.wish, &prompt.options);
-    reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    if reading.problems.is_empty() {
+        reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    }
     if reading.problems.is_empty() {
         sense(&reading.wish)?;
         return Ok(reading.wish);

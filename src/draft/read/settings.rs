@@ -30,7 +30,11 @@ const WEAK: [&str; 16] = [
 
 /// Finds the structure that a scene is in.
 pub(super) fn environment(reading: &mut Reading<'_>) {
-    let found = all(reading, &vocabulary().environments);
+    let mut found = all(reading, &vocabulary().environments);
+    // `pipeline trench` is a shape.
+    found.retain(|(tokens, _)| {
+        vocabulary().shapes.at(&reading.text, tokens.start).is_none_or(|(longer, _)| longer <= tokens.len())
+    });
     // `the pier of a harbour`: the first is what it is about; a dock in a harbour is part of it.
     let chosen = found
         .iter()

@@ -84,7 +84,8 @@ fn language_of(tokens: &[Token]) -> Language {
 fn repaired(form: &str) -> Option<String> {
     let letters = form.chars().count();
     let known = |word: &str| !vocabulary().languages_of(word).is_empty() || concepts().vocabulary().contains(word);
-    if letters < 4 || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
+    let is_thing = || concepts().units(&[form.to_owned()]).iter().any(|unit| !unit.concepts.is_empty());
+    if letters < 4 || is_thing() || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
         return None;
     }
     let phonetic = form.replace('f', "ph");
