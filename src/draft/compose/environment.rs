@@ -25,7 +25,10 @@ pub(super) fn write(page: &mut Page, layout: &Layout) {
     page.blank();
     page.open(0, "environment", &structure.why);
     let parts = structure.kind.parts().join(", ");
-    page.set(2, "labels", &Yaml::word("by-part"), &format!("{parts}; `none` makes them background"));
+    match layout.labelled {
+        true => page.set(2, "labels", &Yaml::word("by-part"), &format!("{parts}; `none` makes them background")),
+        false => page.set(2, "labels", &Yaml::word("none"), &format!("background; `by-part` labels {parts}")),
+    }
     let (entries, why) = entries(structure, layout);
     page.open(2, "kind", "");
     page.set(4, structure.kind.name(), &Yaml::map(entries), &why);
@@ -89,6 +92,7 @@ fn entries(structure: &Structure, layout: &Layout) -> (Vec<(&'static str, Yaml)>
                 number("length_m", length, LENGTHS_M[2]),
                 number("width_m", width, HARBOUR_WIDTH_M.max((2.0 * orbit + 5.0).ceil())),
                 number("height_m", height, top),
+                ("dolphins", Yaml::whole(0)),
             ];
             (entries, said("the vehicle has room between the quays"))
         }

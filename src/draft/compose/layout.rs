@@ -52,6 +52,8 @@ pub(super) struct Layout<'a> {
     pub field_m: f64,
     /// Half sides of the rectangle of scattered things, where they are passed on lines: along x and y, metres.
     pub area_m: Option<[f64; 2]>,
+    /// Whether parts of the structure are labelled, and so looked at as objects are.
+    pub labelled: bool,
     /// Where things float that nobody gave a height.
     pub mid_water_m: [f64; 2],
     pub extent_m: f64,
@@ -90,6 +92,9 @@ impl<'a> Layout<'a> {
         };
         let centre_m = centre(&going.way, &view, asked);
         let (field_m, area_m) = scattering(&going.way, &view, sizes);
+        let at_structure = placings.iter().any(|placing| is_at(structure.as_ref(), placing));
+        let background = structure.as_ref().is_some_and(|structure| structure.kind == Kind::Tank);
+        let labelled = at_structure || !(background || matches!(going.way, Way::Views { .. }));
         let smallest = (sizes.smallest_m > 0.0).then_some(sizes.smallest_m);
         let reach_m = solved.reach_m + sizes.off_m;
         let structure_m = structure.as_ref().map_or(0.0, |s| super::environment::half_m(s, &going.way, far_m));
@@ -125,6 +130,7 @@ impl<'a> Layout<'a> {
             centre_m,
             field_m,
             area_m,
+            labelled,
             mid_water_m,
             extent_m,
             cell_m,
@@ -320,6 +326,11 @@ fn solve(
     unreachable!("the third round returns")
 }
 
+/// Whether a thing leans on the structure, or lies beside it.
+pub(super) fn is_at(structure: Option<&Structure>, placing: &Placing) -> bool {
+    structure.is_some_and(|structure| structure.is_meant_by(&placing.manner.kind))
+}
+
 /// The device that was named, the one with the thinnest beam of several.
 fn said_device(asked: &Asked) -> Result<Option<(Device, String)>, Problem> {
     let Some(Said { value: names, source }) = &asked.wish.sonar.devices else { return Ok(None) };
@@ -356,7 +367,7 @@ fn terms<'a>(
     let steps = |amount: &&Amount| !matches!(amount, Amount::Steps(..));
     let range = said(&asked.wish.path.range_m).filter(steps).filter(|_| form != Form::Approach).or(from_vehicle);
     // On lines and along walls things come by at all distances.
-    let passed = matches!(form, Form::Lawnmower | Form::Along);
+    let passed = matches!(form, Form::Lawnmower | Form::Along | Form::Through);
     // One at a time is looked at.
     let single = form == Form::Views || passed;
     Terms {
@@ -403,7 +414,7 @@ fn far(asked: &Asked, form: Form, view: &View, sizes: Sizes, depth: &Depth) -> f
     let [_, highest] = view.altitude.amount.ends();
     let sight = view.sight;
     let far = match form {
-        Form::Lawnmower | Form::Along => BEYOND_ON_LINES * sight.slant_m(highest),
+        Form::Lawnmower | Form::Along | Form::Through => BEYOND_ON_LINES * sight.slant_m(highest),
         Form::Dive => sight.slant_m(depth.least_m),
         Form::Orbit | Form::Views | Form::Approach | Form::Hover => {
             let shadow = sight.shadow_m(view.altitude.amount.ends()[0], sizes.tallest_m);
@@ -523,6 +534,7 @@ fn scattering(way: &Way, view: &View, sizes: Sizes) -> (f64, Option<[f64; 2]>) {
             };
             (sight::round(sizes.field_m.max(across)), area.filter(|_| sizes.field_m > 0.0))
         }
+        Way::Through { .. } => (sight::round(sizes.field_m), None),
         Way::Orbit { .. } | Way::Approach { .. } | Way::Hover { .. } | Way::Dive { .. } => {
             (sight::round(view.field_m.min(sizes.field_m)), None)
         }

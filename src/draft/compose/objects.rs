@@ -1,7 +1,7 @@
 //! The list of objects: what is picked, how many, and its pose.
 
 use super::asked::{Asked, assumed};
-use super::layout::{Layout, field_why};
+use super::layout::{Layout, field_why, is_at};
 use super::page::Page;
 use super::placing::{Kind, Place, Placing, at_height};
 use super::structure::Structure;
@@ -71,6 +71,15 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
             page.set(4, "clear_m", &Yaml::amount(apart), "free water to any other object");
         } else if placing.manner.kind == Kind::Heap {
             page.set(4, "clear_m", &Yaml::number(0.0), &assumed("in a heap things touch"));
+        }
+        if layout
+            .structure
+            .as_ref()
+            .is_some_and(|structure| structure.kind.is_long() && is_at(Some(structure), placing))
+        {
+            let frames = Yaml::list([Yaml::whole(layout.budget.frames / 2)]);
+            let why = assumed("at a place of the wall that the frame in the middle sees");
+            page.set(4, "in_view", &Yaml::map([("frames", frames)]), &why);
         }
         let pose = Posing { asked, layout, placing };
         let (value, why) = pose.pose(notes);

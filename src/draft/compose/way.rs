@@ -61,6 +61,10 @@ pub(super) enum Way {
         place_m: [f64; 2],
         yaw_deg: f64,
     },
+    /// Through places, z over the bottom.
+    Through {
+        points_m: Vec<[f64; 3]>,
+    },
     /// Heights over the bottom, one after the other.
     Dive {
         away_m: f64,
@@ -97,6 +101,7 @@ pub(super) enum Form {
     Along,
     Approach,
     Hover,
+    Through,
     Dive,
 }
 
@@ -130,12 +135,15 @@ pub(super) fn form(asked: &Asked, structure: Option<&Structure>, of: Things) -> 
     if let Some(said) = path.range_m.as_ref().filter(|said| matches!(said.value, Amount::Steps(..))) {
         return (Form::Approach, asked.why(&said.source));
     }
+    if let Some(said) = path.points_m.as_ref().filter(|said| said.value.len() > 1) {
+        return (Form::Through, asked.why(&said.source));
+    }
     if let Some(said) = &path.position_m {
         return (Form::Hover, asked.why(&said.source));
     }
     let suits = |form: Form, why: &str| (form, assumed(why));
-    if at_structure && structure.is_some_and(|structure| structure.kind != Kind::Pipeline) {
-        return suits(Form::Views, "what stands at a wall is seen from free water, where the sonar is turned to it");
+    if at_structure && structure.is_some_and(|structure| structure.kind.is_long()) {
+        return suits(Form::Along, "along the wall, turned to what stands at it");
     }
     let kind = structure.map(|structure| structure.kind);
     if from_vehicle {
@@ -181,6 +189,7 @@ impl Ground<'_> {
             Form::Along => self.along(route),
             Form::Approach => self.approach(route),
             Form::Hover => (self.hover(), Frames::About(1)),
+            Form::Through => self.through(),
             Form::Dive => self.dive(route),
         };
         Going { way, why, frames }
@@ -315,6 +324,15 @@ impl Ground<'_> {
         Way::Hover { place_m: [away(cos(radians(yaw_deg))), away(sin(radians(yaw_deg)))], yaw_deg }
     }
 
+    /// Through the places that were said; below 0 they are told from the surface.
+    fn through(&self) -> (Way, Frames) {
+        let said = self.asked.wish.path.points_m.as_ref().map_or(&[][..], |said| &said.value);
+        let over = |&[x, y, z]: &[f64; 3]| [x, y, exact_m(super::placing::at_height(z, self.depth_m))];
+        let few = self.asked.wish.images.as_ref().is_none_or(|said| said.value <= MOST_OF_ONE_SCENE);
+        let frames = if few { Frames::OneScene } else { Frames::About(FRAMES_ALONG) };
+        (Way::Through { points_m: said.iter().map(over).collect() }, frames)
+    }
+
     fn dive(&self, route: Option<&Route>) -> (Way, Frames) {
         let (depth_m, back) = match route {
             Some(Route::Dive { depth_m, back }) => (*depth_m, *back),
@@ -356,6 +374,9 @@ impl Ground<'_> {
                 let looks_in =
                     (x + cos(radians(*yaw_deg)) * away).abs() + (y + sin(radians(*yaw_deg)) * away).abs() < 0.01;
                 if looks_in { inwards(away) } else { away + self.far_m }
+            }
+            Way::Through { points_m } => {
+                points_m.iter().map(|[x, y, _]| (x * x + y * y).sqrt()).fold(0.0, f64::max) + self.far_m
             }
             Way::Dive { away_m, .. } => inwards(*away_m),
         }
