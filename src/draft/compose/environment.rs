@@ -34,6 +34,13 @@ pub(super) fn write(page: &mut Page, layout: &Layout) {
     page.set(4, structure.kind.name(), &Yaml::map(entries), &why);
 }
 
+/// Half the width of a pier or a harbour, metres.
+pub(super) fn half_width_m(structure: Option<&Structure>) -> f64 {
+    let Some(structure) = structure else { return 0.0 };
+    let usual = if structure.kind == Kind::Pier { PIER_WIDTH_M } else { HARBOUR_WIDTH_M };
+    0.5 * structure.said_m[1].unwrap_or(usual)
+}
+
 /// Half of the longest side that stands on the seabed, metres.
 pub(super) fn half_m(structure: &Structure, way: &Way, far_m: f64) -> f64 {
     let [length, width, _] = structure.said_m;

@@ -1,6 +1,6 @@
 //! The list of objects: what is picked, how many, and its pose.
 
-use super::asked::{Asked, assumed};
+use super::asked::{Asked, assumed, joined};
 use super::layout::{Layout, field_why, is_at};
 use super::page::Page;
 use super::placing::{Kind, Place, Placing, at_height};
@@ -188,7 +188,7 @@ impl Posing<'_> {
             why.push(reason);
         }
         let value = Yaml::map([(kind, Yaml::map(entries))]);
-        (value, why.into_iter().filter(|why| !why.is_empty()).collect::<Vec<_>>().join("; "))
+        (value, joined(why))
     }
 
     fn tip(&self, entries: &mut Entries) {
@@ -219,8 +219,8 @@ impl Posing<'_> {
         };
         match &self.placing.manner.place {
             Place::Anywhere => {
-                if let Some([x, y]) = layout.area_m.filter(|_| layout.placings.len() < 1000) {
-                    rectangle(entries, [-x, -y], [x, y]);
+                if let Some([low, high]) = layout.area_m {
+                    rectangle(entries, low, high);
                     return assumed("over the whole area");
                 }
                 at(entries, layout.centre_m, round((layout.field_m - less).max(0.2)));
@@ -302,7 +302,7 @@ impl Posing<'_> {
             entries.push(("school", Yaml::map([("radius_m", Yaml::number(radius))])));
         }
         reason.push(placed);
-        reason.into_iter().filter(|reason| !reason.is_empty()).collect::<Vec<_>>().join("; ")
+        joined(reason)
     }
 
     /// At a place with a height.

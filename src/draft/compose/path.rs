@@ -1,6 +1,6 @@
 //! The trajectory's section.
 
-use super::asked::{Asked, Figure, assumed};
+use super::asked::{Asked, Figure, assumed, joined};
 use super::layout::Layout;
 use super::page::Page;
 use super::way::{Way, distance_why};
@@ -116,7 +116,7 @@ fn hover(page: &mut Page, asked: &Asked, layout: &Layout, [x, y]: [f64; 2], yaw_
     let value = Yaml::list([Yaml::number(x), Yaml::number(y), z]);
     let why = match &path.position_m {
         Some(said) => asked.why(&said.source),
-        None => format!("{}; {}", distance_why(asked, &layout.view), layout.altitude.why),
+        None => joined([distance_why(asked, &layout.view), layout.altitude.why.clone()]),
     };
     page.set(4, "position_m", &value, &why);
     let why = match &path.heading_deg {

@@ -14,6 +14,8 @@ const FRAMES_ROUND: u64 = 10;
 const FRAMES_ALONG: u64 = 30;
 /// Most frames of one scene: beyond that several scenes teach more.
 const MOST_OF_ONE_SCENE: u64 = 100;
+/// Distance in plan of a dive over its highest point.
+const DIVE_OFF: f64 = 1.2;
 /// Lines of a survey, and from line to line as part of the range.
 const SPACING: f64 = 0.7;
 /// Fewest and most lines where an area is not said.
@@ -255,7 +257,7 @@ impl Ground<'_> {
             None if width_m.is_some() => Amount::Exactly(0.0),
             None => Amount::Between(0.0, 360.0),
         };
-        (Way::Lawnmower { length_m, spacing_m, lines, heading_deg }, Frames::About(FRAMES_ALONG))
+        (Way::Lawnmower { length_m, spacing_m, lines, heading_deg }, Frames::Along(FRAMES_ALONG))
     }
 
     fn along(&self, route: Option<&Route>) -> (Way, Frames) {
@@ -268,17 +270,17 @@ impl Ground<'_> {
         let (heading_deg, centre_m, yaw_deg) = match self.structure.map(|s| (s.kind, s)) {
             // To port of a vehicle that runs along x lies what has greater y.
             Some((Kind::Pier, pier)) => {
-                let half = 0.5 * pier.said_m[1].unwrap_or(super::environment::PIER_WIDTH_M);
+                let half = super::environment::half_width_m(Some(pier));
                 (0.0, [0.0, exact_m(-(half + distance))], 60.0)
             }
             Some((Kind::Harbour, basin)) => {
-                let half = 0.5 * basin.said_m[1].unwrap_or(super::environment::HARBOUR_WIDTH_M);
+                let half = super::environment::half_width_m(Some(basin));
                 (0.0, [0.0, exact_m((half - distance).max(1.0 - half))], 60.0)
             }
             Some((Kind::Dam, _)) => (90.0, [exact_m(super::environment::DAM_DISTANCE_M - distance), 0.0], -60.0),
             _ => (self.asked.wish.path.heading_deg.as_ref().map_or(0.0, |said| said.value), [0.0, 0.0], 0.0),
         };
-        (Way::Terrain { length_m, heading_deg, centre_m, yaw_deg }, Frames::About(FRAMES_ALONG))
+        (Way::Terrain { length_m, heading_deg, centre_m, yaw_deg }, Frames::Along(FRAMES_ALONG))
     }
 
     fn approach(&self, route: Option<&Route>) -> (Way, Frames) {
@@ -305,7 +307,7 @@ impl Ground<'_> {
         let frames = match steps.and_then(|(.., count)| count) {
             Some(count) => Frames::Exactly(u64::from(count.max(1))),
             None if few && steps.is_some() => Frames::OneScene,
-            None => Frames::About(FRAMES_ALONG),
+            None => Frames::Along(FRAMES_ALONG),
         };
         (Way::Approach { from_m, to_m, course_deg }, frames)
     }
@@ -329,7 +331,7 @@ impl Ground<'_> {
         let said = self.asked.wish.path.points_m.as_ref().map_or(&[][..], |said| &said.value);
         let over = |&[x, y, z]: &[f64; 3]| [x, y, exact_m(super::placing::at_height(z, self.depth_m))];
         let few = self.asked.wish.images.as_ref().is_none_or(|said| said.value <= MOST_OF_ONE_SCENE);
-        let frames = if few { Frames::OneScene } else { Frames::About(FRAMES_ALONG) };
+        let frames = if few { Frames::OneScene } else { Frames::Along(FRAMES_ALONG) };
         (Way::Through { points_m: said.iter().map(over).collect() }, frames)
     }
 
@@ -349,9 +351,11 @@ impl Ground<'_> {
             // Down in so many frames, up again in as many, the turn counted once.
             Some(count) => Frames::Exactly(count.max(2)),
             None if few => Frames::OneScene,
-            None => Frames::About(FRAMES_ALONG),
+            None => Frames::Along(FRAMES_ALONG),
         };
-        (Way::Dive { away_m: self.view.distance_m.ends()[0], heights_m }, frames)
+        // So far off that one tilt serves from above and from below.
+        let away_m = self.view.distance_m.ends()[0].max(round(DIVE_OFF * top));
+        (Way::Dive { away_m, heights_m }, frames)
     }
 
     /// How far from the world's origin anything is seen from the way, metres.
