@@ -87,8 +87,15 @@ impl Said {
             concept = concepts().number("shipwreck");
         }
         let mut head = unit.map(|unit| unit.words.clone()).unwrap_or_default();
+        let declined = forms.last().and_then(|word| {
+            let roots = ["ern", "em", "n"].iter().filter_map(|ending| word.strip_suffix(ending));
+            let meant = |root: &str| {
+                concepts().units(&[root.to_owned()]).iter().find_map(|unit| unit.concepts.first().copied())
+            };
+            roots.filter(|root| root.len() > 3).find_map(|root| Some((meant(root)?, root.to_owned())))
+        });
         if concept.is_none()
-            && let Some((meant, part)) = forms.last().and_then(|word| compound(word))
+            && let Some((meant, part)) = declined.or_else(|| forms.last().and_then(|word| compound(word)))
         {
             (concept, head) = (Some(meant), vec![part]);
         }
@@ -98,8 +105,9 @@ impl Said {
     fn in_catalog(&self, name: &str, catalog: &Catalog) -> Option<Found> {
         let all = self.candidates(catalog);
         let mut label = self.words.join("-");
-        let mut fitting: Vec<&Asset> = all.iter().filter(|asset| words(&asset.label) == self.words).collect();
-        if let (true, Some(concept)) = (fitting.is_empty(), self.concept) {
+        let by_name = || all.iter().filter(|asset| words(&asset.label) == self.words).collect::<Vec<&Asset>>();
+        let mut fitting = if self.concept.is_none() { by_name() } else { Vec::new() };
+        if let Some(concept) = self.concept {
             let table = concepts();
             label = table.name(concept).to_owned();
             fitting = all.iter().filter(|asset| is_a(asset, concept)).collect();
@@ -111,6 +119,9 @@ impl Said {
             {
                 label = table.name(wider).to_owned();
             }
+        }
+        if fitting.is_empty() {
+            (fitting, label) = (by_name(), self.words.join("-"));
         }
         if fitting.is_empty() {
             return None;
@@ -175,13 +186,10 @@ fn is_a(asset: &Asset, concept: Concept) -> bool {
         return true;
     }
     let says = |text: &str| table.read(text).iter().any(|unit| unit.concepts.contains(&concept));
-    if !table.is_group(concept) {
-        return false;
-    }
     match table.group(concept).filter(|wider| !table.is_group(*wider)) {
         // A kind of a label (`wine-bottle`): that label, and its name or tags tell the kind.
         Some(wider) => is_below(label, wider) && (says(&asset.name) || asset.tags.iter().any(|tag| says(tag))),
-        None => asset.tags.iter().any(|tag| says(tag)),
+        None => table.is_group(concept) && asset.tags.iter().any(|tag| says(tag)),
     }
 }
 
@@ -190,6 +198,7 @@ fn has_word(asset: &Asset, word: &str, head: &[String]) -> bool {
     let told = |text: &str| words(text).iter().any(|other| other == word);
     let made_of = material_of("", word).filter(|_| !head.contains(&word.to_owned()));
     told(&asset.name)
+        || told(&asset.label)
         || told(&asset.uid)
         || asset.tags.iter().any(|tag| told(tag))
         || made_of.is_some_and(|material| material == asset.material)

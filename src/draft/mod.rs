@@ -16,10 +16,12 @@ mod drafter;
 pub(crate) mod find;
 pub mod infer;
 mod known;
+pub mod model;
 mod prompt;
 pub mod read;
 mod refusal;
 pub(crate) mod sense;
+pub mod transcript;
 pub mod wish;
 
 pub use compose::{Composed, compose, composed};

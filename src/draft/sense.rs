@@ -23,6 +23,13 @@ pub(in crate::draft) fn sense(wish: &Wish) -> Result<(), Refusal> {
     sizes(wish, &mut problems);
     counts(wish, &mut problems);
     sonar(wish, &mut problems);
+    if let Some(splits) = &wish.splits {
+        let sum: f64 = splits.value.shares.iter().sum();
+        if (sum - 1.0).abs() > 0.02 {
+            let what = format!("shares of training, validation and test that add up to {} %", short(sum * 100.0));
+            problems.push(problem(splits, what, "say shares that add up to 100 %, such as 80/10/10"));
+        }
+    }
     if problems.is_empty() { Ok(()) } else { Err(Refusal { problems }) }
 }
 

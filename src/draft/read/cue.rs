@@ -27,8 +27,10 @@ pub(super) enum Subject {
     Afloat,
     /// Another thing.
     Thing,
-    /// The vehicle, the sonar or who looks.
+    /// The vehicle or the sonar.
     Vehicle,
+    /// Who looks, or the way that is gone.
+    View,
     /// The lines of a survey.
     Lines,
     /// Nothing.
@@ -41,6 +43,13 @@ pub(super) fn cue_of(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told>
     let behind = behind(reading, quantity);
     match (before, behind) {
         (Some(before), Some(behind)) if before.is_weak => Some(behind),
+        // `viewed from 5 m above the bottom`.
+        (Some(before), Some(behind))
+            if before.cue == Cue::ObjectRange
+                && matches!(behind.cue, Cue::Altitude | Cue::BelowSurface | Cue::Depth) =>
+        {
+            Some(behind)
+        }
         // `lines 5 m apart`: both words are of the same amount.
         (Some(before), Some(behind)) if is_same_kind(before.cue, behind.cue) => {
             Some(Told { tokens: before.tokens.start..behind.tokens.end, ..before })
@@ -114,7 +123,20 @@ fn before(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
             let mut all = vocabulary().cues_before.all_at(&reading.text, begin);
             all.find(|(tokens, cue)| *tokens == count && fits(**cue, quantity, true)).map(|(_, cue)| (begin, *cue))
         });
-        if let Some((begin, cue)) = found.filter(|(begin, _)| (*begin..end).all(|at| reading.is_free(at))) {
+        // Words such as "lines of" tell of two amounts.
+        let shared = |cue: Cue| matches!(cue, Cue::PathLength | Cue::Spacing);
+        // A single letter only with a sign: `T = 12 °C`.
+        let lone = |begin: usize| {
+            reading.text.form(begin).len() == 1
+                && end - begin == 1
+                && !(skipped > 0 && (reading.text.is_mark(end, '=') || reading.text.is_mark(end, ':')))
+        };
+        // A bare "and" goes on what was told of swaying.
+        let and = |begin: usize| reading.text.form(begin) == "and" && (skipped > 0 || reading.wish.path.sway.is_none());
+        let found = found.filter(|(begin, cue)| {
+            (shared(*cue) || (*begin..end).all(|at| reading.is_free(at))) && !lone(*begin) && !and(*begin)
+        });
+        if let Some((begin, cue)) = found {
             let word = reading.text.form(begin);
             let single = end - begin == 1;
             let is_weak = single
@@ -202,6 +224,10 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         let ends_with = |words: &[Word]| {
             (0..5.min(at + 1)).any(|back| words.iter().any(|word| reading.word(at - back, *word) == Some(back + 1)))
         };
+        let lines = (at.saturating_sub(1)..at + 1).any(|at| text.form(at) == "line" && reading.is_plural(at));
+        if lines {
+            return (Subject::Lines, comma);
+        }
         if ends_with(&[Word::Row, Word::Heap]) {
             return (Subject::Thing, comma);
         }
@@ -215,8 +241,11 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         if let Some(tokens) = thing_over(reading, at) {
             return (if floats(reading, tokens) { Subject::Afloat } else { Subject::Thing }, comma);
         }
-        if ends_with(&[Word::Vehicle, Word::ViewFrom, Word::Hover, Word::Follow, Word::Orbit]) {
+        if ends_with(&[Word::Vehicle]) {
             return (Subject::Vehicle, comma);
+        }
+        if ends_with(&[Word::ViewFrom, Word::Hover, Word::Follow, Word::Orbit]) {
+            return (Subject::View, comma);
         }
     }
     (Subject::Nothing, comma)
@@ -231,7 +260,7 @@ pub(super) fn is_said_of_thing(reading: &Reading<'_>, at: usize) -> bool {
 fn thing_over(reading: &Reading<'_>, at: usize) -> Option<Range<usize>> {
     (0..4.min(at + 1)).find_map(|back| {
         let begin = at - back;
-        let tokens = reading.thing_at(begin).filter(|tokens| begin + tokens == at + 1)?;
+        reading.thing_at(begin).filter(|tokens| begin + tokens == at + 1)?;
         let article = reading.text.form(begin.wrapping_sub(1));
         let is_vehicle =
             reading.word(begin, Word::Vehicle).is_some() && !matches!(article, "a" | "an" | "lost" | "missing");

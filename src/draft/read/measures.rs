@@ -23,24 +23,28 @@ pub(super) struct StandCue {
 /// Gives every amount its place in the wish; what is of things comes back.
 pub(super) fn spot(reading: &mut Reading<'_>) -> Vec<StandCue> {
     let mut stands = Vec::new();
-    for quantity in reading.quantities.clone() {
-        if !quantity.tokens.clone().all(|at| reading.is_free(at)) {
-            continue;
+    // What words tell comes before what is only likely.
+    for is_told in [Some(()), None] {
+        for quantity in reading.quantities.clone() {
+            if !quantity.tokens.clone().all(|at| reading.is_free(at)) {
+                continue;
+            }
+            let told = cue_of(reading, &quantity);
+            let (cue, tokens) = match (told, is_told) {
+                (Some(told), Some(())) => (resolved(reading, &quantity, told.cue, &told.tokens), told.tokens),
+                (None, None) => match uncued(reading, &quantity) {
+                    Some(cue) => (cue, quantity.tokens.clone()),
+                    None => continue,
+                },
+                _ => continue,
+            };
+            if is_of_things(cue) {
+                stands.push(StandCue { tokens: tokens.clone(), cue, amount: quantity.amount.clone() });
+                reading.take(tokens);
+                continue;
+            }
+            apply(reading, &quantity, cue, tokens);
         }
-        let told = cue_of(reading, &quantity);
-        let (cue, tokens) = match told {
-            Some(told) => (resolved(reading, &quantity, told.cue, &told.tokens), told.tokens),
-            None => match uncued(reading, &quantity) {
-                Some(cue) => (cue, quantity.tokens.clone()),
-                None => continue,
-            },
-        };
-        if is_of_things(cue) {
-            stands.push(StandCue { tokens: tokens.clone(), cue, amount: quantity.amount.clone() });
-            reading.take(tokens);
-            continue;
-        }
-        apply(reading, &quantity, cue, tokens);
     }
     stands.append(&mut reading.pending);
     stands.sort_by_key(|stand| stand.tokens.start);
@@ -64,16 +68,33 @@ fn is_of_things(cue: Cue) -> bool {
 
 /// What words like "above the bottom" mean of what stands before them.
 fn resolved(reading: &Reading<'_>, quantity: &Quantity, cue: Cue, tokens: &Range<usize>) -> Cue {
-    let (subject, comma) = subject_before(reading, tokens.start);
+    let from = if matches!(cue, Cue::Spacing | Cue::Apart) { quantity.tokens.start } else { tokens.start };
+    let (subject, comma) = subject_before(reading, from);
     match (cue, subject) {
         (Cue::Spacing | Cue::Apart, Subject::Lines) => Cue::Spacing,
         (Cue::Spacing | Cue::Apart, Subject::Thing | Subject::Afloat) => Cue::Apart,
-        (Cue::Depth, Subject::Vehicle) if !comma && is_cued_behind(quantity, tokens) => Cue::SonarDepth,
+        (Cue::Depth, Subject::Vehicle)
+            if !comma && is_cued_behind(quantity, tokens) && !is_of_water(reading, tokens) =>
+        {
+            Cue::SonarDepth
+        }
+        // `a circle of 8 m radius`.
+        (Cue::Radius, _)
+            if reading
+                .find(Word::Orbit)
+                .is_some_and(|orbit| orbit.end <= tokens.start && orbit.end + 5 > tokens.start) =>
+        {
+            Cue::ObjectRange
+        }
         (Cue::MostRange, _) if is_at(reading, quantity.tokens.start) && quantity.tokens.start == tokens.start => {
             Cue::ObjectRange
         }
         _ => cue,
     }
+}
+
+fn is_of_water(reading: &Reading<'_>, tokens: &Range<usize>) -> bool {
+    tokens.clone().any(|at| matches!(reading.text.form(at), "water" | "wasser" | "agua" | "eau" | "水" | "wassertiefe"))
 }
 
 fn is_cued_behind(quantity: &Quantity, tokens: &Range<usize>) -> bool {
@@ -108,6 +129,12 @@ fn uncued(reading: &Reading<'_>, quantity: &Quantity) -> Option<Cue> {
             }
             if quantity.bound == Some(Bound::AtLeast) && matches!(first, "minimum" | "min") {
                 return Some(Cue::LeastRange);
+            }
+            // `from two to six metres`.
+            if matches!(first, "from" | "von" | "de" | "desde" | "从")
+                && quantity.amount.ends()[0] < quantity.amount.ends()[1]
+            {
+                return Some(Cue::ObjectRange);
             }
             Some(if is_of_next_thing(reading, quantity) { Cue::Size } else { Cue::Depth })
         }
@@ -156,14 +183,8 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
     match cue {
         Cue::Depth => {
             let depth = Said { value: positive(&amount), ..said.clone() };
-            // The first that is said of the water; a second is where the vehicle is.
-            let slot = if reading.wish.water.depth_m.is_none() {
-                &mut reading.wish.water.depth_m
-            } else {
-                &mut reading.wish.path.vehicle_depth_m
-            };
-            if slot.is_none() {
-                *slot = Some(depth);
+            if reading.wish.water.depth_m.is_none() {
+                reading.wish.water.depth_m = Some(depth);
             }
         }
         Cue::SonarDepth => put(&mut reading.wish.path.vehicle_depth_m),
@@ -238,7 +259,7 @@ fn above_or_below(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, toke
         Subject::Afloat => !(comma && cue == Cue::Altitude && is_view(reading, &tokens)),
         // Things on the bottom are not afloat: whose height is told is the sonar.
         Subject::Thing => cue != Cue::Altitude,
-        Subject::Vehicle | Subject::Lines | Subject::Nothing => false,
+        Subject::Vehicle | Subject::View | Subject::Lines | Subject::Nothing => false,
     };
     if cue == Cue::AboveSurface {
         let what = format!("{}: sonar sees nothing above the surface", reading.text.words(tokens.clone()));

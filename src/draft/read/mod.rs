@@ -14,6 +14,7 @@ mod looks;
 mod measures;
 mod noun;
 pub(in crate::draft) mod number;
+mod output;
 mod path;
 pub(in crate::draft) mod phrases;
 pub(in crate::draft) mod place;
@@ -46,6 +47,7 @@ pub fn read(prompt: &Prompt, known: &Known) -> Result<Wish, Refusal> {
     splits::spot(&mut reading);
     reading.find_numbers();
     counts::spot(&mut reading);
+    output::spot(&mut reading);
     if let Some(problem) = refuse::edit(&reading) {
         return Err(problem.into());
     }
@@ -64,7 +66,9 @@ pub fn read(prompt: &Prompt, known: &Known) -> Result<Wish, Refusal> {
     things::spot(&mut reading, stands);
     anything(&mut reading);
     options(&mut reading.wish, &prompt.options);
-    reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    if reading.problems.is_empty() {
+        reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    }
     if reading.problems.is_empty() {
         sense(&reading.wish)?;
         return Ok(reading.wish);

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::quantity::Quantity;
 use super::reading::Reading;
-use super::vocabulary::{Cue, Word, vocabulary};
+use super::vocabulary::{Cue, Word};
 use crate::draft::wish::{Route, Said};
 
 /// Amounts that belong to a route, waiting for its words.
@@ -21,6 +21,9 @@ pub(super) struct Parts {
 /// Keeps an amount of a route.
 pub(super) fn measure(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range<usize>) {
     let [low, high] = quantity.amount.ends();
+    if cue == Cue::Motion {
+        return sway(reading, quantity, tokens);
+    }
     let parts = &mut reading.route;
     let (slot, value) = match cue {
         Cue::Spacing => (&mut parts.spacing_m, low),
@@ -34,6 +37,28 @@ pub(super) fn measure(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, 
     if slot.is_none() && value > 0.0 {
         *slot = Some((value, tokens));
     }
+}
+
+/// `rolling by 3 degrees`, `drifting by 20 cm and 2 degrees`.
+fn sway(reading: &mut Reading<'_>, quantity: &Quantity, tokens: Range<usize>) {
+    let value = quantity.amount.ends()[1].abs();
+    let is_said = |stem: &str| tokens.clone().any(|at| reading.text.form(at).starts_with(stem));
+    let is_length = quantity.measure == super::quantity::Measure::Length;
+    let known = reading.wish.path.sway.clone();
+    let mut sway = known.as_ref().map(|said| said.value).unwrap_or_default();
+    let slot = match (is_length, is_said("heav")) {
+        (true, true) => &mut sway.heave_m,
+        (true, false) => &mut sway.drift_m,
+        (false, _) if is_said("roll") || is_said("balanc") || is_said("roulis") || is_said("横") => &mut sway.roll_deg,
+        (false, _) if is_said("pitch") || is_said("nick") || is_said("tangage") => &mut sway.pitch_deg,
+        (false, _) => &mut sway.yaw_deg,
+    };
+    // A bare "and" goes on what was said of drift.
+    if tokens.len() > quantity.tokens.len() && reading.text.form(tokens.start) == "and" && known.is_none() {
+        return;
+    }
+    *slot = Some(value);
+    reading.wish.path.sway = Some(reading.said(tokens, sway));
 }
 
 /// Finds the route.
@@ -178,7 +203,8 @@ fn follow(reading: &Reading<'_>) -> Found {
     let word = reading.find_all(Word::Follow).into_iter().find(|tokens| {
         let structure =
             reading.environment_at.as_ref().is_some_and(|place| (tokens.end..tokens.end + 4).contains(&place.start));
-        let verb = !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿");
+        let verb =
+            !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿" | "inspect" | "check" | "inspection");
         structure || verb
     });
     let line = reading.find(Word::StraightLine).filter(|_| reading.route.length_m.is_some());
@@ -235,14 +261,9 @@ fn heading(reading: &mut Reading<'_>) {
 
 /// Places of the vehicle: where it is, or the points of its way.
 fn places(reading: &mut Reading<'_>) {
-    let is_way = reading.find(Word::Waypoints).is_some() || reading.places.len() > 2;
     let points: Vec<[f64; 3]> =
         reading.places.iter().filter_map(|place| Some([place.at[0]?, place.at[1]?, place.at[2]?])).collect();
-    let from = |reading: &Reading<'_>, place: usize| {
-        let start = reading.places[place].tokens.start;
-        start > 0 && matches!(reading.text.form(start - 1), "from" | "von" | "de" | "desde" | "从")
-    };
-    if points.len() >= 2 && points.len() == reading.places.len() && (is_way || from(reading, 0)) {
+    if points.len() >= 2 && points.len() == reading.places.len() {
         let words: Vec<Range<usize>> = reading.places.iter().map(|place| place.tokens.clone()).collect();
         reading.wish.path.points_m = Some(reading.said_by(&words, points));
         reading.places.clear();
@@ -263,10 +284,9 @@ fn places(reading: &mut Reading<'_>) {
 
 /// Words of routes that say nothing of things.
 pub(super) fn leftovers(reading: &mut Reading<'_>) {
-    for word in [Word::StraightLine, Word::Lawnmower, Word::ComeBack, Word::ViewFrom] {
+    for word in [Word::Lawnmower, Word::ComeBack] {
         for tokens in reading.find_all(word) {
             reading.take(tokens);
         }
     }
-    let _ = vocabulary();
 }

@@ -30,7 +30,11 @@ const WEAK: [&str; 16] = [
 
 /// Finds the structure that a scene is in.
 pub(super) fn environment(reading: &mut Reading<'_>) {
-    let found = all(reading, &vocabulary().environments);
+    let mut found = all(reading, &vocabulary().environments);
+    // `pipeline trench` is a shape.
+    found.retain(|(tokens, _)| {
+        vocabulary().shapes.at(&reading.text, tokens.start).is_none_or(|(longer, _)| longer <= tokens.len())
+    });
     // `the pier of a harbour`: the first is what it is about; a dock in a harbour is part of it.
     let chosen = found
         .iter()
@@ -154,6 +158,14 @@ pub(super) fn water(reading: &mut Reading<'_>) {
             reading.take(tokens.clone());
             if reading.wish.water.salinity_ppt.is_none() {
                 reading.wish.water.salinity_ppt = Some(reading.said(tokens, Amount::Exactly(salinity)));
+            }
+        }
+    }
+    for (word, range) in [(Word::Shallow, (2.0, 6.0)), (Word::DeepWater, (50.0, 150.0))] {
+        if let Some(tokens) = reading.find(word) {
+            reading.take(tokens.clone());
+            if reading.wish.water.depth_m.is_none() {
+                reading.wish.water.depth_m = Some(reading.said(tokens, Amount::Between(range.0, range.1)));
             }
         }
     }

@@ -113,6 +113,7 @@ pub(super) fn add(stands: &mut Vec<crate::draft::wish::Said<Stand>>, said: crate
             (Stand::Floating(None), Stand::Floating(Some(_)) | Stand::BelowSurface(_))
                 | (Stand::Moored(None), Stand::Floating(Some(_)) | Stand::Moored(Some(_)))
                 | (Stand::Row(None), Stand::Apart(_))
+                | (Stand::Apart(_), Stand::Row(None))
                 | (Stand::Buried(_), Stand::Buried(_))
                 | (Stand::Around(_), Stand::Around(_) | Stand::Within(..))
         )
@@ -126,6 +127,7 @@ pub(super) fn add(stands: &mut Vec<crate::draft::wish::Said<Stand>>, said: crate
     let value = match (&stands[place].value, said.value) {
         (Stand::Moored(_), Stand::Floating(amount)) => Stand::Moored(amount),
         (Stand::Row(_), Stand::Apart(amount)) => Stand::Row(Some(amount)),
+        (Stand::Apart(amount), Stand::Row(None)) => Stand::Row(Some(amount.clone())),
         (_, other) => other,
     };
     stands[place] = crate::draft::wish::Said { value, source: joined(&stands[place].source, said.source) };

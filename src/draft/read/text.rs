@@ -23,7 +23,8 @@ impl<'a> Text<'a> {
         let language = language_of(&tokens(source, Language::English));
         let mut tokens = tokens(source, language);
         for token in tokens.iter_mut().filter(|token| token.kind == Kind::Word) {
-            if let Some(meant) = repaired(&token.form) {
+            let misspelt = vocabulary().misspelt(&token.form).filter(|_| language == Language::English);
+            if let Some(meant) = misspelt.or_else(|| repaired(&token.form)) {
                 token.form = meant;
             }
         }
@@ -83,7 +84,8 @@ fn language_of(tokens: &[Token]) -> Language {
 fn repaired(form: &str) -> Option<String> {
     let letters = form.chars().count();
     let known = |word: &str| !vocabulary().languages_of(word).is_empty() || concepts().vocabulary().contains(word);
-    if letters < 4 || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
+    let is_thing = || concepts().units(&[form.to_owned()]).iter().any(|unit| !unit.concepts.is_empty());
+    if letters < 4 || is_thing() || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
         return None;
     }
     let phonetic = form.replace('f', "ph");

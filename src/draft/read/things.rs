@@ -73,7 +73,7 @@ impl Walk<'_, '_> {
             self.at = cue.tokens.end;
             return self.cue(&cue);
         }
-        if self.mark() || self.place() || self.half() || self.each() || self.turn() {
+        if self.mark() || self.place() || self.area() || self.half() || self.each() || self.more() || self.turn() {
             return;
         }
         if let Some((tokens, word)) = stand_word(self.reading, at)
@@ -159,6 +159,43 @@ impl Walk<'_, '_> {
         true
     }
 
+    /// `and one standing upright`: more of the same.
+    fn more(&mut self) -> bool {
+        let Some(number) = self.reading.number_at(self.at) else { return false };
+        let (tokens, value) = (number.tokens.clone(), number.amount.ends()[1]);
+        let Some(&last) = self.group.last().filter(|_| (1.0..1e5).contains(&value)) else { return false };
+        let told = stand_word(self.reading, tokens.end)
+            .is_some_and(|(_, word)| !matches!(word, StandWord::Heap | StandWord::Row));
+        let known = noun_at(self.reading, &self.stands, self.at).is_some();
+        if !told || known || value.fract() != 0.0 || !self.closed {
+            return false;
+        }
+        let mut other = self.reading.wish.things[last].clone();
+        other.stands.clear();
+        other.count = Some(self.reading.said(tokens.clone(), Count::Exactly(value as u32)));
+        self.reading.wish.things.push(other);
+        self.group = vec![self.reading.wish.things.len() - 1];
+        self.closed = false;
+        self.at = tokens.end;
+        true
+    }
+
+    /// `over a 10 by 10 m area`: about the middle.
+    fn area(&mut self) -> bool {
+        let Some(found) = self.reading.sides.iter().position(|(_, tokens)| tokens.start == self.at) else {
+            return false;
+        };
+        let (sides, tokens) = self.reading.sides.remove(found);
+        self.at = tokens.end;
+        if let [x, y, ..] = sides.as_slice()
+            && !self.group.is_empty()
+            && tokens.clone().all(|at| self.reading.is_free(at))
+        {
+            self.attach(tokens, Stand::Within([-x / 2.0, -y / 2.0], [x / 2.0, y / 2.0]));
+        }
+        true
+    }
+
     /// `half of them moored, half lying`: two things of half each.
     fn half(&mut self) -> bool {
         let Some(tokens) = self.reading.word(self.at, Word::HalfOf).filter(|_| self.reading.is_free(self.at)) else {
@@ -198,9 +235,18 @@ impl Walk<'_, '_> {
     fn each(&mut self) -> bool {
         let Some(number) = self.reading.number_at(self.at) else { return false };
         let (tokens, value) = (number.tokens.clone(), number.amount.ends()[1]);
+        let bracket = self.reading.text.is_mark(self.at.wrapping_sub(1), '(');
+        let first =
+            self.at == 0 || self.reading.text.is_mark(self.at - 1, '.') || self.reading.text.is_mark(self.at - 1, ';');
         let of_them = matches!(self.reading.text.form(tokens.end), "of")
             && matches!(self.reading.text.form(tokens.end + 1), "them" | "these" | "each" | "it");
         let Some(words) = self.reading.word(tokens.end, Word::Each).or(of_them.then_some(2)) else { return false };
+        // `Generate images of a mine. 150 of them.`
+        if of_them && first && !bracket && self.reading.wish.images.is_none() && value >= 1.0 && value <= 1e5 {
+            self.reading.wish.images = Some(self.reading.said(tokens.clone(), value as u64));
+            self.at = tokens.end + words;
+            return true;
+        }
         if self.group.is_empty() || value.fract() != 0.0 || !(1.0..1e5).contains(&value) {
             return false;
         }
@@ -216,6 +262,10 @@ impl Walk<'_, '_> {
     /// Words that turn things off, or on again.
     fn turn(&mut self) -> bool {
         let free = self.reading.is_free(self.at);
+        // `no more than three cans`.
+        if self.reading.number_at(self.at).is_some_and(|number| number.bound.is_some()) {
+            return false;
+        }
         let off = self.reading.word(self.at, Word::Without).filter(|_| free);
         let on = self.reading.word(self.at, Word::Include).filter(|_| free);
         match (off, on) {
@@ -263,7 +313,20 @@ impl Walk<'_, '_> {
             }
             return true;
         }
-        let Some(stand) = word.stand() else { return true };
+        let Some(mut stand) = word.stand() else { return true };
+        // `halb im Schlamm vergraben`: the share stands apart from the word.
+        if let Stand::Buried(amount) = &mut stand {
+            let share = self.reading.quantities.iter().find(|quantity| {
+                quantity.measure == super::quantity::Measure::Share
+                    && quantity.tokens.end <= words.start
+                    && quantity.tokens.end + 5 > words.start
+                    && quantity.tokens.clone().all(|at| self.reading.is_free(at))
+            });
+            if let Some(share) = share.cloned() {
+                *amount = share.amount;
+                self.reading.take(share.tokens);
+            }
+        }
         if self.group.is_empty() || self.is_order(words.start) {
             self.group.clear();
             self.lead.push((words, word));
@@ -337,6 +400,14 @@ impl Walk<'_, '_> {
         }
         let follows =
             noun_at(self.reading, &self.stands, self.at).or_else(|| noun_at(self.reading, &self.stands, next));
+        if self.group.is_empty() {
+            // `3 m in front of an anchor`: of who looks.
+            if let Some(distance) = distance {
+                let said = self.reading.said(words, distance);
+                self.reading.wish.path.range_m.get_or_insert(said);
+            }
+            return;
+        }
         match (follows, side) {
             (Some(_), _) => self.relation = Some((relation, distance, words)),
             (None, Some(side)) => self.attach(words, Stand::FromVehicle { side, distance_m: distance }),
@@ -363,6 +434,10 @@ impl Walk<'_, '_> {
             Cue::BelowSurface => self.attach(tokens, Stand::BelowSurface(amount)),
             Cue::Apart => self.attach(tokens, Stand::Apart(amount)),
             Cue::Radius => self.attach(tokens, Stand::Around(amount)),
+            Cue::Burial if self.group.is_empty() => {
+                let [low, high] = amount.ends();
+                self.lead.push((tokens, StandWord::Buried(low, high)));
+            }
             Cue::Burial => self.attach(tokens, Stand::Buried(amount)),
             Cue::Size => {
                 if let Some(&last) = self.group.last() {
@@ -419,8 +494,9 @@ impl Walk<'_, '_> {
                 self.relation = Some((Relation::On, None, self.at..self.at + 1));
             }
         }
-        if matches!(form, "then" | "also" | "dann" | "luego" | "puis") {
+        if matches!(form, "then" | "also" | "dann" | "luego" | "puis" | "put" | "place" | "set" | "lay") {
             self.closed = true;
+            self.lead.clear();
         }
     }
 

@@ -193,6 +193,8 @@ pub(in crate::draft) enum Word {
     Fresh,
     Brackish,
     SaltWater,
+    Shallow,
+    DeepWater,
     Tropical,
     Arctic,
     LowFrequency,
@@ -249,6 +251,7 @@ struct Table {
     environments: BTreeMap<String, Words>,
     turbidities: BTreeMap<String, Words>,
     edits: BTreeMap<String, Words>,
+    misspelt: BTreeMap<String, Vec<String>>,
 }
 
 /// What the table says, ready to be matched.
@@ -298,6 +301,8 @@ pub(in crate::draft) struct Vocabulary {
     pub(in crate::draft) edits: Phrases<()>,
     /// Labels by the name that they pass for, too.
     passes: BTreeMap<String, Vec<String>>,
+    /// English words by spellings that are words of another language, or too far from them.
+    misspelt: BTreeMap<String, String>,
 }
 
 impl Vocabulary {
@@ -308,6 +313,10 @@ impl Vocabulary {
             let value: f64 = share.parse().map_err(|_| format!("vocabulary.yaml: shares: `{share}` is no number"))?;
             shares.push((value, words));
         }
+        let misspelt = table
+            .misspelt
+            .iter()
+            .flat_map(|(word, spellings)| spellings.iter().map(|spelling| (spelling.clone(), word.clone())));
         let mut read = Self {
             languages: BTreeMap::new(),
             numbers: counts(&table.numbers),
@@ -333,6 +342,7 @@ impl Vocabulary {
             turbidities: named(&table.turbidities),
             edits: Phrases::of(table.edits.values().map(|words| ((), words))),
             passes: table.passes,
+            misspelt: misspelt.collect(),
         };
         let tells =
             Phrases::of([((), &table.languages), ((), &table.plain), ((), &table.wrecked), ((), &table.strange)]);
@@ -361,9 +371,14 @@ impl Vocabulary {
     }
 
     /// The languages that a word in common form is of; none if it is in no phrase.
-    pub(super) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
+    pub(in crate::draft) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
         static NONE: BTreeSet<Language> = BTreeSet::new();
         self.languages.get(form).unwrap_or(&NONE)
+    }
+
+    /// The English word that a spelling in common form stands for.
+    pub(super) fn misspelt(&self, form: &str) -> Option<String> {
+        self.misspelt.get(form).cloned()
     }
 
     /// Whether a word in common form means something here, or is known to mean nothing.
