@@ -9,6 +9,7 @@
 //! the recipe is written by this program. So no path, address, command or YAML of a prompt, a catalog or a language model
 //! gets anywhere. Knows nothing of rendering; a run never comes back here.
 
+pub mod edit;
 mod known;
 mod prompt;
 mod refusal;

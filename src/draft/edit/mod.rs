@@ -1,0 +1,12 @@
+//! From a sentence to a change of a recipe, in its text, with everything else as it was.
+//!
+//! ```text
+//! prompt ── understand ──► Change ── acts on the tree ──► Act ── text ──► new text ── parsed again, and checked as any recipe
+//! ```
+//! A change is of a closed kind, with numbers and names of models that are in a catalog. Knows nothing of files and terminals.
+
+mod act;
+mod text;
+
+pub use act::Act;
+pub use text::apply;
