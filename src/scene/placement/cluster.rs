@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::settle::Release;
-use super::{Asking, Candidate, FAR_M, Miss, disc, outside};
+use super::{Asking, Candidate, FAR_M, Miss, disc, disc_about, disc_fault, is_origin, outside};
 use crate::math::rng::Stream;
 
 /// Settled about a middle that is drawn once a scene for all instances of the item. With `clear_m: 0` they pile up.
@@ -12,8 +12,11 @@ use crate::math::rng::Stream;
 pub struct Cluster {
     /// Of the disc about the cluster's middle over which each is let go, metres.
     pub radius_m: f64,
-    /// Radius of the disc about the world's origin in which the cluster's middle lies, metres.
+    /// Radius of the disc in which the cluster's middle lies, metres.
     pub within_m: f64,
+    /// Middle of that disc: x east, y north, metres.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    pub centre_m: [f64; 2],
     /// As for [`super::Settle`].
     pub yaw_deg: f64,
     /// As for [`super::Settle`].
@@ -28,17 +31,17 @@ pub struct Cluster {
 
 impl Cluster {
     pub(super) fn fault(&self) -> Option<String> {
-        let discs = [("radius_m", self.radius_m, 0.0, FAR_M), ("within_m", self.within_m, 0.0, FAR_M)];
-        self.release().fault().or_else(|| outside(&discs))
+        let radius = || outside(&[("radius_m", self.radius_m, 0.0, FAR_M)]);
+        self.release().fault().or_else(radius).or_else(|| disc_fault(self.centre_m, self.within_m))
     }
 
     fn release(&self) -> Release {
-        let Self { yaw_deg, pitch_deg, roll_deg, drop_m, burial, radius_m: _, within_m: _ } = *self;
+        let Self { yaw_deg, pitch_deg, roll_deg, drop_m, burial, .. } = *self;
         Release { yaw_deg, pitch_deg, roll_deg, drop_m, burial }
     }
 
     pub(super) fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
-        let middle = disc(self.within_m, &mut (asking.shared)());
+        let middle = disc_about(self.centre_m, self.within_m, &mut (asking.shared)());
         self.release().settle(middle + disc(self.radius_m, stream), asking)
     }
 }

@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 
 use super::rope::Rope;
 use super::tree::Box3;
-use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc, outside};
+use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc_about, disc_fault, is_origin, outside};
 use crate::math::Pose;
 use crate::math::real::radians;
 use crate::math::rng::Stream;
 
-/// Above the ground about the world's origin. Where the sea surface is, a scene does not know.
+/// Above the ground, over a disc about the world's origin or another place. Where the sea surface is, a scene does not know.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Float {
@@ -24,8 +24,11 @@ pub struct Float {
     pub roll_deg: f64,
     /// Thickness of the line that moors it to the ground below, metres; 0 for none. The line is background.
     pub mooring_m: f64,
-    /// Radius of the disc about the world's origin over which it floats, metres; of a school, its middle.
+    /// Radius of the disc over which it floats, metres; of a school, its middle.
     pub within_m: f64,
+    /// Middle of that disc: x east, y north, metres.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    pub centre_m: [f64; 2],
     /// All instances swim together; without a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub school: Option<School>,
@@ -46,11 +49,7 @@ pub struct School {
 impl Float {
     pub(super) fn fault(&self) -> Option<String> {
         let angles = [("yaw_deg", self.yaw_deg), ("pitch_deg", self.pitch_deg), ("roll_deg", self.roll_deg)];
-        let lengths = [
-            ("altitude_m", self.altitude_m, 0.0, FAR_M),
-            ("mooring_m", self.mooring_m, 0.0, 1.0),
-            ("within_m", self.within_m, 0.0, FAR_M),
-        ];
+        let lengths = [("altitude_m", self.altitude_m, 0.0, FAR_M), ("mooring_m", self.mooring_m, 0.0, 1.0)];
         let school = self.school.iter().find_map(|school| {
             outside(&[
                 ("school.radius_m", school.radius_m, 0.0, FAR_M),
@@ -61,6 +60,7 @@ impl Float {
         outside(&lengths)
             .or_else(|| outside(&angles.map(|(name, value)| (name, value, ANY_DEG.0, ANY_DEG.1))))
             .or(school)
+            .or_else(|| disc_fault(self.centre_m, self.within_m))
     }
 
     pub(super) fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
@@ -72,7 +72,7 @@ impl Float {
 
     fn alone(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
         let Asking { shape, around, .. } = *asking;
-        let place = disc(self.within_m, stream);
+        let place = disc_about(self.centre_m, self.within_m, stream);
         if !around.ground.is_there(place.x, place.y) {
             return Err(Miss::NoGround);
         }
@@ -96,7 +96,7 @@ impl Float {
 
     fn in_school(&self, school: &School, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
         let Asking { shape, around, .. } = *asking;
-        let middle = disc(self.within_m, &mut (asking.shared)());
+        let middle = disc_about(self.centre_m, self.within_m, &mut (asking.shared)());
         let altitude = around.ground.height(middle.x, middle.y) + self.altitude_m;
         let mut side = || stream.uniform(-1.0, 1.0);
         let in_ball = loop {

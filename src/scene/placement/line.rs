@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::rest::Stance;
 use super::rope::Rope;
-use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc, heading, outside};
+use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc, disc_about, disc_fault, heading, is_origin, outside};
 use crate::math::real::radians;
 use crate::math::rng::Stream;
 
@@ -27,8 +27,11 @@ pub struct Line {
     pub tip_deg: f64,
     /// As for [`super::Rest`].
     pub burial: f64,
-    /// Radius of the disc about the world's origin in which the line's middle lies, metres.
+    /// Radius of the disc in which the line's middle lies, metres.
     pub within_m: f64,
+    /// Middle of that disc: x east, y north, metres.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    pub centre_m: [f64; 2],
 }
 
 impl Line {
@@ -38,9 +41,8 @@ impl Line {
             ("heading_deg", self.heading_deg, ANY_DEG.0, ANY_DEG.1),
             ("stray_m", self.stray_m, 0.0, FAR_M),
             ("rope_m", self.rope_m, 0.0, 1.0),
-            ("within_m", self.within_m, 0.0, FAR_M),
         ];
-        self.stance().fault().or_else(|| outside(&lengths))
+        self.stance().fault().or_else(|| outside(&lengths)).or_else(|| disc_fault(self.centre_m, self.within_m))
     }
 
     fn stance(&self) -> Stance {
@@ -48,7 +50,7 @@ impl Line {
     }
 
     pub(super) fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
-        let middle = disc(self.within_m, &mut (asking.shared)());
+        let middle = disc_about(self.centre_m, self.within_m, &mut (asking.shared)());
         // 0, 1, −1, 2, −2 …
         let number = asking.instance;
         let slot = f64::from(number.div_ceil(2)) * if number % 2 == 1 { 1.0 } else { -1.0 };

@@ -218,6 +218,22 @@ fn disc(radius: f64, stream: &mut Stream) -> DVec2 {
     from_middle * heading(std::f64::consts::TAU * stream.unit())
 }
 
+/// Uniform in the disc about a place.
+fn disc_about(centre_m: [f64; 2], radius: f64, stream: &mut Stream) -> DVec2 {
+    DVec2::from(centre_m) + disc(radius, stream)
+}
+
+/// What is wrong with the numbers of such a disc, if anything.
+fn disc_fault([x, y]: [f64; 2], within_m: f64) -> Option<String> {
+    outside(&[("within_m", within_m, 0.0, FAR_M), ("centre_m", x, -FAR_M, FAR_M), ("centre_m", y, -FAR_M, FAR_M)])
+}
+
+/// Plans leave out the place that most discs lie about.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+fn is_origin(centre_m: &[f64; 2]) -> bool {
+    *centre_m == [0.0; 2]
+}
+
 fn heading(yaw: f64) -> DVec2 {
     DVec2::new(cos(yaw), sin(yaw))
 }

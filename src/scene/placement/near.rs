@@ -4,13 +4,16 @@ use glam::DAffine3;
 use serde::{Deserialize, Serialize};
 
 use super::rest::Stance;
-use super::{Asking, Candidate, FAR_M, Miss, heading, outside};
+use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, heading, outside};
+use crate::math::real::radians;
 use crate::math::rng::Stream;
 
 /// Halvings on the way to the distance.
 const HALVINGS: u32 = 20;
+/// A place in a given direction may lie so far aside of it, degrees: on that side, and several find places there.
+const ASIDE_DEG: f64 = 45.0;
 
-/// At rest with so much water between it and another object, in a random direction from it.
+/// At rest with so much water between it and another object, in a given or in a random direction from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Near {
@@ -18,6 +21,10 @@ pub struct Near {
     pub of: String,
     /// Least distance between the two surfaces, metres.
     pub distance_m: f64,
+    /// In which direction from the other's middle, counter-clockwise from x (east), degrees; places up to [`ASIDE_DEG`]
+    /// aside are tried. Any direction without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction_deg: Option<f64>,
     /// As for [`super::Rest`].
     pub yaw_deg: f64,
     /// As for [`super::Rest`].
@@ -28,7 +35,8 @@ pub struct Near {
 
 impl Near {
     pub(super) fn fault(&self) -> Option<String> {
-        self.stance().fault().or_else(|| outside(&[("distance_m", self.distance_m, 0.0, FAR_M)]))
+        let direction = ("direction_deg", self.direction_deg.unwrap_or(0.0), ANY_DEG.0, ANY_DEG.1);
+        self.stance().fault().or_else(|| outside(&[("distance_m", self.distance_m, 0.0, FAR_M), direction]))
     }
 
     fn stance(&self) -> Stance {
@@ -39,7 +47,10 @@ impl Near {
         let number = asking.one_of_others(stream)?;
         let Asking { shape, around, .. } = *asking;
         let bounds = around.taken[number].bounds;
-        let away = heading(std::f64::consts::TAU * stream.unit());
+        let away = heading(match self.direction_deg {
+            None => std::f64::consts::TAU * stream.unit(),
+            Some(direction) => radians(direction + ASIDE_DEG * stream.uniform(-1.0, 1.0)),
+        });
         let stand = |distance: f64| -> Result<DAffine3, Miss> {
             self.stance().stand(bounds.middle().truncate() + away * distance, asking)
         };

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::footing::{Plane, from_up_to, sunk, touching};
 use super::tree::Box3;
-use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc, outside};
+use super::{ANY_DEG, Asking, Candidate, Miss, disc_about, disc_fault, is_origin, outside};
 use crate::math::Pose;
 use crate::math::real::radians;
 use crate::math::rng::Stream;
@@ -13,7 +13,7 @@ use crate::math::rng::Stream;
 /// Steepest ground that a body rests on: its normal's z, here 45°.
 const LEAST_UPRIGHT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// At rest on the ground about the world's origin, as the model stands.
+/// At rest on the ground in a disc about the world's origin or another place, as the model stands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rest {
@@ -24,8 +24,11 @@ pub struct Rest {
     /// Share of the body's height that lies below the ground, 0 to 1: height along the normal of the plane that fits the
     /// ground under the body best, ground as that plane. Lying in a hollow, it may be deeper already.
     pub burial: f64,
-    /// Radius of the disc about the world's origin in which it lies, metres.
+    /// Radius of the disc in which it lies, metres.
     pub within_m: f64,
+    /// Middle of that disc: x east, y north, metres.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    pub centre_m: [f64; 2],
 }
 
 /// A body that stands, wherever that is.
@@ -37,7 +40,7 @@ pub(super) struct Stance {
 
 impl Rest {
     pub(super) fn fault(&self) -> Option<String> {
-        self.stance().fault().or_else(|| outside(&[("within_m", self.within_m, 0.0, FAR_M)]))
+        self.stance().fault().or_else(|| disc_fault(self.centre_m, self.within_m))
     }
 
     fn stance(&self) -> Stance {
@@ -45,7 +48,7 @@ impl Rest {
     }
 
     pub(super) fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
-        Ok(self.stance().stand(disc(self.within_m, stream), asking)?.into())
+        Ok(self.stance().stand(disc_about(self.centre_m, self.within_m, stream), asking)?.into())
     }
 }
 

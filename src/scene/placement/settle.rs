@@ -7,7 +7,7 @@ use super::fall::Drop;
 use super::footing::{clearance, raised, sunk, touching};
 use super::taken::Whose;
 use super::tree::Box3;
-use super::{ANY_DEG, Asking, Candidate, FAR_M, Miss, disc, outside};
+use super::{ANY_DEG, Asking, Candidate, Miss, disc_about, disc_fault, is_origin, outside};
 use crate::math::Pose;
 use crate::math::real::radians;
 use crate::math::rng::Stream;
@@ -20,7 +20,7 @@ const LYING: f64 = 0.03;
 /// One that fell on others is lifted by so much of its size at a time, so many times, until it is in none.
 const LIFTS: (f64, u32) = (2e-3, 16);
 
-/// Let go about the world's origin, and left to a rigid-body engine: gravity, drag, friction, the shape of the ground. What
+/// Let go over a disc about the world's origin or another place, and left to a rigid-body engine: gravity, drag, friction, the shape of the ground. What
 /// has fallen on others stays there only where `clear_m` is 0; else it keeps clear of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -35,8 +35,11 @@ pub struct Settle {
     pub drop_m: f64,
     /// Share of its height that sinks into the ground once it lies, as for [`super::Rest`].
     pub burial: f64,
-    /// Radius of the disc about the world's origin over which it is let go, metres.
+    /// Radius of the disc over which it is let go, metres.
     pub within_m: f64,
+    /// Middle of that disc: x east, y north, metres.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    pub centre_m: [f64; 2],
 }
 
 /// How a body is let go, wherever that is.
@@ -50,16 +53,16 @@ pub(super) struct Release {
 
 impl Settle {
     pub(super) fn fault(&self) -> Option<String> {
-        self.release().fault().or_else(|| outside(&[("within_m", self.within_m, 0.0, FAR_M)]))
+        self.release().fault().or_else(|| disc_fault(self.centre_m, self.within_m))
     }
 
     fn release(&self) -> Release {
-        let Self { yaw_deg, pitch_deg, roll_deg, drop_m, burial, within_m: _ } = *self;
+        let Self { yaw_deg, pitch_deg, roll_deg, drop_m, burial, .. } = *self;
         Release { yaw_deg, pitch_deg, roll_deg, drop_m, burial }
     }
 
     pub(super) fn propose(&self, asking: &Asking, stream: &mut Stream) -> Result<Candidate, Miss> {
-        self.release().settle(disc(self.within_m, stream), asking)
+        self.release().settle(disc_about(self.centre_m, self.within_m, stream), asking)
     }
 }
 
