@@ -10,8 +10,10 @@
 //! gets anywhere. Knows nothing of rendering; a run never comes back here.
 
 pub mod edit;
+pub(crate) mod find;
 mod known;
 mod prompt;
+pub(crate) mod read;
 mod refusal;
 pub mod wish;
 

@@ -189,11 +189,24 @@ impl<'a> Walker<'a> {
 
     fn whole(&self, form: Form, start: usize, end: &Marks, parts: Vec<Part>) -> Place {
         let end = match (form, parts.last()) {
-            // The end's own mark reaches over blanks and a comment behind the bracket.
-            (Form::FlowList | Form::FlowMap, _) => self.byte(&end.start) + 1,
+            (Form::FlowList | Form::FlowMap, _) => self.behind_bracket(self.byte(&end.start)),
             (_, last) => last.map_or(start, |last| last.place.range.end),
         };
         Place { form, range: start..end.max(start), parts }
+    }
+
+    /// Behind the bracket that closes: the end's mark may be that of a comma before it, and reaches over a comment behind it.
+    fn behind_bracket(&self, mark: usize) -> usize {
+        let mut at = mark;
+        loop {
+            let rest = &self.text[at..];
+            at += match rest.chars().next() {
+                Some(']' | '}') => return at + 1,
+                Some('#') => rest.find(['\n', '\r']).unwrap_or(rest.len()),
+                Some(other) => other.len_utf8(),
+                None => return at,
+            };
+        }
     }
 
     /// The dash that begins a list below its key without indentation: the mark of such a list is that of its first item.

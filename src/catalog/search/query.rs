@@ -93,7 +93,7 @@ fn repair(word: &str, terms: &dyn Terms) -> Result<String, CatalogError> {
     Ok(nearest(word, terms.beginning_with(first).into_iter(), errors).unwrap_or(word).into())
 }
 
-fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, errors: usize) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, errors: usize) -> Option<&'a str> {
     let (length, first) = (word.len(), word.chars().next());
     known
         .filter(|other| {
