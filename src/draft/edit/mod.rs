@@ -6,7 +6,13 @@
 //! A change is of a closed kind, with numbers and names of models that are in a catalog. Knows nothing of files and terminals.
 
 mod act;
+mod change;
+mod numbers;
+mod subject;
 mod text;
 
 pub use act::Act;
+pub use change::{Acts, Addition, Change, Held, Named, NumberOf, Param, Revision, Which, revise};
+pub use numbers::Move;
+pub use subject::{Subject, Whose};
 pub use text::apply;
