@@ -18,7 +18,9 @@ use crate::draft::wish::{Amount, Count, Route, Said, Stand};
 use crate::draft::{Known, Models, Problem};
 use crate::recipe::Node;
 
+pub(super) use objects::{has, label_of};
 pub use param::Param;
+pub(super) use values::{TURBIDITY, in_steps};
 
 /// One change of a recipe.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,9 +10,11 @@ mod change;
 mod numbers;
 mod subject;
 mod text;
+mod understand;
 
 pub use act::Act;
 pub use change::{Acts, Addition, Change, Held, Named, NumberOf, Param, Revision, Which, revise};
 pub use numbers::Move;
 pub use subject::{Subject, Whose};
 pub use text::apply;
+pub use understand::{Understood, understand};

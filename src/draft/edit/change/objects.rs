@@ -298,3 +298,21 @@ pub(super) fn stand(subject: &Subject, known: &Known, which: &Which, stands: &[S
     let posing = Posing { subject, items: &items };
     whole.iter().try_fold(Acts::default(), |acts, item| Ok(acts.with(posing.changed(item, stands)?)))
 }
+
+/// Whether a recipe has what somebody calls so.
+pub(in crate::draft::edit) fn has(subject: &Subject, known: &Known, which: &Which) -> bool {
+    items(subject, known).iter().any(|item| item.has(which) != Has::None)
+}
+
+/// The label by which poses refer to what somebody calls so.
+pub(in crate::draft::edit) fn label_of(subject: &Subject, known: &Known, which: &Which) -> Option<String> {
+    let items = items(subject, known);
+    let of_item = |item: &Item<'_>, wanted: Has| {
+        if item.has(which) != wanted {
+            return None;
+        }
+        let own = item.node.get("label").and_then(Node::text).map(str::to_owned);
+        own.or_else(|| item.models.iter().find(|(uid, _)| which.uids.contains(uid)).map(|(_, label)| label.clone()))
+    };
+    [Has::All, Has::Some].into_iter().find_map(|wanted| items.iter().find_map(|item| of_item(item, wanted)))
+}

@@ -10,7 +10,7 @@ use crate::recipe::Node;
 use crate::recipe::path::{Step, item, steps, under};
 
 /// Kinds of suspended matter, ever murkier.
-pub(super) const TURBIDITY: [&str; 4] = ["clear", "coastal", "turbid", "very-turbid"];
+pub(in crate::draft::edit) const TURBIDITY: [&str; 4] = ["clear", "coastal", "turbid", "very-turbid"];
 /// Sediments, ever finer.
 pub(super) const SEDIMENTS: [&str; 10] = [
     "rough-rock", "rock", "cobbles", "gravel", "coarse-sand", "medium-sand", "fine-sand", "very-fine-sand", "silt", "mud",
