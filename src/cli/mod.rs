@@ -13,6 +13,7 @@ macro_rules! say {
 mod catalog;
 mod check;
 mod diff;
+mod edit;
 mod finish;
 mod job;
 mod plan;
@@ -75,6 +76,7 @@ enum Verb {
     Check(check::Check),
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
+    Edit(edit::Edit),
     Status(status::StatusVerb),
     Finish(finish::Finish),
     Verify(verify::Verify),
@@ -135,6 +137,7 @@ pub fn main() -> ExitCode {
         Verb::Check(verb) => verb.run(),
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
+        Verb::Edit(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
         Verb::Finish(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),

@@ -43,7 +43,7 @@ impl Recipe {
         Self::read(path)?.laid_over(path, outside)
     }
 
-    /// As [`Recipe::read_whole`], of a text that is to stand in the file at `path`, which must be there.
+    /// As [`Recipe::read_whole`], of a text that is to stand in the file at `path`; where it includes others, that file must be there.
     ///
     /// # Errors
     /// As [`Recipe::read_whole`].
@@ -52,6 +52,9 @@ impl Recipe {
     }
 
     fn laid_over(self, path: &Path, outside: Outside) -> Result<(Self, Vec<Included>), Error> {
+        if self.0.get(INCLUDE).is_none() {
+            return Ok((self, Vec::new()));
+        }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let here = |path: &Path| {
             path.canonicalize().map_err(|error| {

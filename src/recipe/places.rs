@@ -269,7 +269,8 @@ mod tests {
 
     #[test]
     fn forms_and_ends() {
-        let text = "é: [1, {a: b c }, ]  # c\nlist:\n- x: 1\n  y:   # none\n-\n- |\n  two\n  lines\n\nlast: 'q' # end\n";
+        let text =
+            "é: [1, {a: b c }, ]  # c\nlist:\n- x: 1\n  y:   # none\n-\n- |\n  two\n  lines\n\nlast: 'q' # end\n";
         let root = Place::of(text).unwrap();
         let found = |path: &str| root.at(&steps(path).unwrap()).unwrap();
         for (path, form, bytes) in [

@@ -16,5 +16,5 @@ pub use act::Act;
 pub use change::{Acts, Addition, Change, Held, Named, NumberOf, Param, Revision, Which, revise};
 pub use numbers::Move;
 pub use subject::{Subject, Whose};
-pub use text::apply;
+pub use text::{apply, in_line};
 pub use understand::{Understood, understand};

@@ -39,10 +39,7 @@ impl Subject {
     /// A text that is no recipe, or includes what cannot be read.
     pub fn new(path: &Path, text: &str, outside: Outside) -> Result<Self, Error> {
         let own = Recipe::parse(&path.display().to_string(), text)?;
-        let whole = match own.node().get("include") {
-            Some(_) => Recipe::parse_whole(path, text, outside)?.0,
-            None => own.clone(),
-        };
+        let whole = Recipe::parse_whole(path, text, outside)?.0;
         let completed = whole.completed();
         Ok(Self { path: path.to_owned(), outside, text: text.to_owned(), own, whole, completed })
     }
@@ -132,7 +129,8 @@ impl Subject {
     #[must_use]
     pub fn uses_of(&self, name: &str) -> usize {
         fn count(node: &Node, wanted: &str) -> usize {
-            let below: usize = node.entries().iter().map(|(_, value)| value).chain(node.items()).map(|n| count(n, wanted)).sum();
+            let below: usize =
+                node.entries().iter().map(|(_, value)| value).chain(node.items()).map(|n| count(n, wanted)).sum();
             below + usize::from(node.text() == Some(wanted))
         }
         count(self.whole.node(), &format!("${name}"))

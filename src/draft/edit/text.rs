@@ -36,6 +36,12 @@ pub fn apply(name: &str, text: &str, act: &Act) -> Result<String, Error> {
     }
 }
 
+/// A value on one line, as it stands in a text.
+#[must_use]
+pub fn in_line(value: &Node) -> String {
+    emit::flow(value)
+}
+
 fn cannot(tree: &Node, act: &Act) -> Error {
     let help = "write it as `key: value` lines or in braces, without explicit keys (`?`), and ask again";
     tree.error(act.path(), "this is written in a way that cannot be changed here", help)

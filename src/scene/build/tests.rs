@@ -48,6 +48,7 @@ fn crowd(count: usize, within: f64, burial: f64) -> SceneSpec {
                 tip_deg: if k % 4 < 2 { 0.0 } else { 90.0 },
                 burial,
                 within_m: within,
+                centre_m: [0.0; 2],
             }),
             clear_m: 0.05,
             tries: 200,

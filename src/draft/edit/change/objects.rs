@@ -87,7 +87,10 @@ fn what_is_there(items: &[Item<'_>]) -> String {
 }
 
 fn nothing(which: &Which, items: &[Item<'_>]) -> Problem {
-    Problem::whole(format!("the recipe has no {}", which.called), format!("{}; name one of these", what_is_there(items)))
+    Problem::whole(
+        format!("the recipe has no {}", which.called),
+        format!("{}; name one of these", what_is_there(items)),
+    )
 }
 
 fn own_list(subject: &Subject) -> Result<(), Problem> {
@@ -144,7 +147,10 @@ fn refuse_orphans(items: &[Item<'_>], acts: &Acts, which: &Which) -> Result<(), 
         let was_there = items.iter().any(|other| goes(other) && other.is_called(of));
         if was_there && !stays.iter().any(|other| there(&other)) {
             let what = format!("{} stands by the {of} (`{}.{path}`)", item.names(), item.path);
-            return Err(Problem::whole(what, format!("remove it, too: `remove the {} and the {}`", which.called, item.names())));
+            return Err(Problem::whole(
+                what,
+                format!("remove it, too: `remove the {} and the {}`", which.called, item.names()),
+            ));
         }
     }
     Ok(())
@@ -226,14 +232,18 @@ pub(super) fn swap(subject: &Subject, known: &Known, which: &Which, thing: &Name
                     acts.acts.push(Act::set(format!("{}.label", item.path), word(&thing.label)));
                     let by = items.iter().filter_map(|other| Some((other, pose::refers_to(other.node)?)));
                     let by = by.filter(|(_, (_, of))| *of == label);
-                    acts.acts.extend(by.map(|(other, (path, _))| Act::set(format!("{}.{path}", other.path), word(&thing.label))));
+                    acts.acts.extend(
+                        by.map(|(other, (path, _))| Act::set(format!("{}.{path}", other.path), word(&thing.label))),
+                    );
                 }
             }
             Has::Some => {
                 let named = |label: &String| which.labels.contains(label);
                 let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
                 let mut uids: Vec<String> = rest.map(|(uid, _)| uid.clone()).collect();
-                uids.extend(thing.models.uids.iter().filter(|uid| !item.models.iter().any(|(own, _)| own == *uid)).cloned());
+                uids.extend(
+                    thing.models.uids.iter().filter(|uid| !item.models.iter().any(|(own, _)| own == *uid)).cloned(),
+                );
                 let uids = list(uids.iter().map(|uid| word(uid)).collect());
                 acts.acts.push(Act::set(format!("{}.pick.uid", item.path), uids));
             }
@@ -250,8 +260,12 @@ pub(super) fn number(subject: &Subject, known: &Known, which: &Which, number: Nu
     let mixed = items.iter().find(|item| item.has(which) == Has::Some);
     match (&whole[..], mixed, number) {
         ([], Some(item), _) => {
-            let what = format!("{} are some of what `{}` picks, and its count is for all of them", which.called, item.path);
-            let help = format!("change the count of all with --set {}.count=…, or add some: `add two {}`", item.path, which.called);
+            let what =
+                format!("{} are some of what `{}` picks, and its count is for all of them", which.called, item.path);
+            let help = format!(
+                "change the count of all with --set {}.count=…, or add some: `add two {}`",
+                item.path, which.called
+            );
             Err(Problem::whole(what, help))
         }
         ([], None, _) => Err(nothing(which, &items)),
@@ -279,7 +293,10 @@ fn moved(subject: &Subject, item: &Item<'_>, how: Move) -> Result<Acts, Problem>
     };
     match moved {
         Some(value) => Ok(Acts::one(Act::set(path, value))),
-        None => Err(Problem::whole(format!("`{path}` is {}", there.describe()), format!("say the whole count: --set {path}=…"))),
+        None => Err(Problem::whole(
+            format!("`{path}` is {}", there.describe()),
+            format!("say the whole count: --set {path}=…"),
+        )),
     }
 }
 

@@ -112,7 +112,11 @@ impl Param {
         let paths: Vec<String> = kinds.iter().filter_map(|(path, kind)| Some(within(path, self.key(kind)?))).collect();
         if paths.is_empty() {
             let names: Vec<&str> = kinds.iter().map(|(_, kind)| kind.as_str()).collect();
-            let there = if names.is_empty() { format!("there is no {path}") } else { format!("{path} is {}", names.join(", ")) };
+            let there = if names.is_empty() {
+                format!("there is no {path}")
+            } else {
+                format!("{path} is {}", names.join(", "))
+            };
             let what = format!("no {} can be changed: {there}", self.name());
             return Err(Problem::whole(what, format!("change the {path} first, or use --set")));
         }

@@ -97,9 +97,12 @@ impl Posing<'_> {
         }
         let mut entries = parts.entries;
         // What both kinds have stays as it was.
-        let shared = ["burial", "yaw_deg"].into_iter().filter(|_| matches!(kind, "rest" | "near" | "settle" | "line" | "cluster"));
+        let shared = ["burial", "yaw_deg"]
+            .into_iter()
+            .filter(|_| matches!(kind, "rest" | "near" | "settle" | "line" | "cluster"));
         for key in shared {
-            let kept = there.and_then(|(_, pose)| pose.get(key)).filter(|_| !entries.iter().any(|(known, _)| *known == key));
+            let kept =
+                there.and_then(|(_, pose)| pose.get(key)).filter(|_| !entries.iter().any(|(known, _)| *known == key));
             entries.extend(kept.map(|value| (key, value.clone())));
         }
         acts.acts.push(Act::set(format!("{}.pose", item.path), map([(kind, map(entries))])));
@@ -215,7 +218,10 @@ impl Posing<'_> {
     fn above_bottom(&self, depth: &Amount) -> Result<f64, Problem> {
         let bottom = self.subject.value("water.depth_m").and_then(|(node, _)| node.number());
         let bottom = bottom.ok_or_else(|| {
-            Problem::whole("the depth of the bottom is drawn anew in each scene", "say the height over the bottom instead")
+            Problem::whole(
+                "the depth of the bottom is drawn anew in each scene",
+                "say the height over the bottom instead",
+            )
         })?;
         let height = bottom - middle(depth);
         if height < 0.0 {

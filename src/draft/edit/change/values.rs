@@ -13,7 +13,16 @@ use crate::recipe::path::{Step, item, steps, under};
 pub(in crate::draft::edit) const TURBIDITY: [&str; 4] = ["clear", "coastal", "turbid", "very-turbid"];
 /// Sediments, ever finer.
 pub(super) const SEDIMENTS: [&str; 10] = [
-    "rough-rock", "rock", "cobbles", "gravel", "coarse-sand", "medium-sand", "fine-sand", "very-fine-sand", "silt", "mud",
+    "rough-rock",
+    "rock",
+    "cobbles",
+    "gravel",
+    "coarse-sand",
+    "medium-sand",
+    "fine-sand",
+    "very-fine-sand",
+    "silt",
+    "mud",
 ];
 /// What a step is where a recipe has grains of its own.
 const GRAINS: f64 = 3.0;
@@ -56,7 +65,9 @@ pub(super) fn set(subject: &Subject, path: &str, value: Node) -> Result<Acts, Pr
 pub(super) fn unset(subject: &Subject, path: &str) -> Result<Acts, Problem> {
     match subject.said(path) {
         Some((_, Whose::Own)) => Ok(Acts::one(Act::Remove { path: path.to_owned() })),
-        Some(_) => Err(Problem::whole(format!("`{path}` stands in an included file"), "remove it there, or override it")),
+        Some(_) => {
+            Err(Problem::whole(format!("`{path}` stands in an included file"), "remove it there, or override it"))
+        }
         None => Err(Problem::whole(format!("there is no `{path}`"), "name a path that is there")),
     }
 }
@@ -146,7 +157,8 @@ pub(super) fn to(subject: &Subject, param: Param, amount: &Amount) -> Result<Act
 
 /// A whole `range_m`, where the recipe says none.
 fn range(subject: &Subject, path: &str, value: &Node) -> Option<Result<Acts, Problem>> {
-    let list_path = path.strip_suffix("[1]").or_else(|| path.strip_suffix("[0]")).filter(|list| *list == "sonar.range_m")?;
+    let list_path =
+        path.strip_suffix("[1]").or_else(|| path.strip_suffix("[0]")).filter(|list| *list == "sonar.range_m")?;
     if subject.own().at(list_path).is_some() {
         return None;
     }
@@ -297,16 +309,15 @@ fn named(subject: &Subject, path: &str, shared: &str, name: &str, change: Changi
         let help = format!("change all of them with --set let.{shared}=…, or this one with --set {path}=…");
         return Err(Problem::whole(what, help));
     }
-    changed(subject, &under("let", shared), name, change).map(|acts| acts.note(format!("`${shared}` stands for the {name}")))
+    changed(subject, &under("let", shared), name, change)
+        .map(|acts| acts.note(format!("`${shared}` stands for the {name}")))
 }
 
 /// Steps along the kinds of suspended matter.
 pub(super) fn murkier(subject: &Subject, steps: i32) -> Result<Acts, Problem> {
     let path = "water.turbidity";
-    ladder(subject, path, "turbidity", &TURBIDITY, steps).map_err(|problem| Problem {
-        help: format!("say which: {}", TURBIDITY.join(", ")),
-        ..problem
-    })
+    ladder(subject, path, "turbidity", &TURBIDITY, steps)
+        .map_err(|problem| Problem { help: format!("say which: {}", TURBIDITY.join(", ")), ..problem })
 }
 
 /// Steps along the sediments.
@@ -348,7 +359,9 @@ pub(super) fn rougher(subject: &Subject, factor: f64) -> Result<Acts, Problem> {
         let rough = map([("fractal", map([("rms_m", number(SLIGHTLY_ROUGH_M))]))]);
         return if factor > 1.0 { set(subject, "seabed.shape", rough) } else { Ok(Acts::default().note(FLAT_ALREADY)) };
     }
-    kinds.iter().try_fold(Acts::default(), |acts, (path, kind)| Ok(acts.with(one_rougher(subject, path, kind, factor)?)))
+    kinds
+        .iter()
+        .try_fold(Acts::default(), |acts, (path, kind)| Ok(acts.with(one_rougher(subject, path, kind, factor)?)))
 }
 
 const FLAT_ALREADY: &str = "the bottom is flat already";
@@ -380,13 +393,15 @@ fn one_rougher(subject: &Subject, path: &str, kind: &str, factor: f64) -> Result
     let usual = crate::recipe::Recipe::parse("usual", &format!("seabed: {{shape: {kind}}}")).ok();
     let usual = usual.and_then(|recipe| recipe.completed().at(&format!("seabed.shape.{kind}.{height}")).cloned());
     let value = usual.and_then(|node| numbers::moved(&node, Move::Times(factor)));
-    let value = value.ok_or_else(|| Problem::whole(format!("a `{kind}` says no height"), format!("--set {place}=…")))?;
+    let value =
+        value.ok_or_else(|| Problem::whole(format!("a `{kind}` says no height"), format!("--set {place}=…")))?;
     Ok(Acts::one(Act::set(place, value)))
 }
 
 /// A shape for the bottom.
 pub(super) fn shape(subject: &Subject, kind: &str) -> Result<Acts, Problem> {
-    if subject.kinds("seabed.shape").iter().all(|(_, there)| there == kind) && !subject.kinds("seabed.shape").is_empty() {
+    if subject.kinds("seabed.shape").iter().all(|(_, there)| there == kind) && !subject.kinds("seabed.shape").is_empty()
+    {
         return Ok(Acts::default().note(format!("the bottom is {kind} already")));
     }
     set(subject, "seabed.shape", word(kind))
@@ -420,7 +435,9 @@ pub(super) fn images(subject: &Subject, images: u64) -> Result<Acts, Problem> {
     let acts = if frames_now == frames { acts } else { acts.with(set(subject, "frames", number(frames_now as f64))?) };
     Ok(match made == images {
         true => acts,
-        false => acts.note(format!("{made} images in all: {variants} variants of {scenes} scenes of {frames_now} frames")),
+        false => {
+            acts.note(format!("{made} images in all: {variants} variants of {scenes} scenes of {frames_now} frames"))
+        }
     })
 }
 

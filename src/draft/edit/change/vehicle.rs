@@ -53,7 +53,10 @@ fn turned(
             if held == Held::Sonar || names.is_empty() {
                 return Ok(acts);
             }
-            Ok(acts.note(format!("how the vehicle is turned follows from its path ({}): the sonar is turned on it", names.join(", "))))
+            Ok(acts.note(format!(
+                "how the vehicle is turned follows from its path ({}): the sonar is turned on it",
+                names.join(", ")
+            )))
         }
     }
 }
@@ -110,7 +113,10 @@ pub(super) fn place(subject: &Subject, place: [Option<f64>; 3]) -> Result<Acts, 
         });
     }
     let [Some(x), Some(y), z] = place else {
-        return Err(Problem::whole("the vehicle moves, so one number is no place", "say x and y: `move it to x=2, y=-1`"));
+        return Err(Problem::whole(
+            "the vehicle moves, so one number is no place",
+            "say x and y: `move it to x=2, y=-1`",
+        ));
     };
     let z = z.map_or_else(|| altitude(subject), |z| number(rounded(z)));
     let there = map([("position_m", list(vec![number(rounded(x)), number(rounded(y)), z]))]);
@@ -127,7 +133,10 @@ fn above_bottom(subject: &Subject, z: f64) -> Result<f64, Problem> {
     }
     match subject.value("water.depth_m").and_then(|(node, _)| node.number()) {
         Some(depth) if depth + z >= 0.0 => Ok(depth + z),
-        Some(depth) => Err(Problem::whole(format!("{} m under the surface is below the bottom, at {depth} m", -z), "say a lesser depth")),
+        Some(depth) => Err(Problem::whole(
+            format!("{} m under the surface is below the bottom, at {depth} m", -z),
+            "say a lesser depth",
+        )),
         None => Err(Problem::whole("the depth is drawn anew in each scene", "say the height over the bottom: `z=3`")),
     }
 }
@@ -145,7 +154,8 @@ pub(super) fn route(subject: &Subject, route: &Route) -> Result<Acts, Problem> {
         Route::Lawnmower { length_m, width_m, spacing_m, lines } => {
             let spacing = spacing_m.unwrap_or(SURVEY_M[1]);
             let lines = lines.or_else(|| width_m.map(|width| (width / spacing).round() as u32 + 1));
-            let mut parameters = vec![("length_m", metres(*length_m, SURVEY_M[0])), ("spacing_m", metres(Some(spacing), 0.0))];
+            let mut parameters =
+                vec![("length_m", metres(*length_m, SURVEY_M[0])), ("spacing_m", metres(Some(spacing), 0.0))];
             parameters.extend(lines.map(|lines| ("lines", number(f64::from(lines)))));
             parameters.push(high);
             ("lawnmower", parameters)

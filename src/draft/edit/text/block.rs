@@ -91,7 +91,8 @@ pub(super) fn add(written: &Written<'_>, place: &Place, index: usize, entry: &En
         // Before the first key of a list's item stands the dash.
         let behind_dash = !is_blank(&text[start(text, place.range.start)..place.range.start]);
         let at = if behind_dash { place.range.start } else { own_comments(text, place.range.start, indent) };
-        let (before, after) = if behind_dash { (&lines[indent..], " ".repeat(indent)) } else { (&lines[..], String::new()) };
+        let (before, after) =
+            if behind_dash { (&lines[indent..], " ".repeat(indent)) } else { (&lines[..], String::new()) };
         return Splice { range: at..at, with: format!("{before}{breaks}{after}") };
     }
     let before = &place.parts[index - 1];
@@ -116,8 +117,7 @@ fn is_apart(text: &str, place: &Place, index: usize, entry: &Entry) -> bool {
         return neighbours;
     }
     let name = |key: &Option<(String, std::ops::Range<usize>)>| key.as_ref().map(|(name, _)| name.clone());
-    let both_head = is_head(entry.key.as_ref().map(|key| key.text.as_str()))
-        && is_head(name(&before.key).as_deref());
+    let both_head = is_head(entry.key.as_ref().map(|key| key.text.as_str())) && is_head(name(&before.key).as_deref());
     let is_last = place.parts.get(index).is_none();
     !both_head && (neighbours || is_last)
 }

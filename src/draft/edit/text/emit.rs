@@ -90,8 +90,8 @@ fn scalar(text: &str) -> String {
     let is_inner = |c: char| c.is_alphanumeric() || "_-./$ +()%".contains(c);
     let begins = text.starts_with(|c: char| c.is_alphanumeric() || "_./$".contains(c));
     let is_word = begins && text.chars().all(is_inner) && text.trim() == text;
-    let is_text = crate::recipe::parse("word", text, crate::recipe::Origin::Given)
-        .is_ok_and(|node| node.text() == Some(text));
+    let is_text =
+        crate::recipe::parse("word", text, crate::recipe::Origin::Given).is_ok_and(|node| node.text() == Some(text));
     if is_word && is_text && !ALMOST_BOOL.contains(&text.to_lowercase().as_str()) {
         text.to_owned()
     } else {

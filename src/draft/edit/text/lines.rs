@@ -100,7 +100,8 @@ mod tests {
     #[test]
     fn lines_of_all_breaks() {
         for end_of_line in ["\n", "\r\n"] {
-            let text = ["\u{feff}a:", "  # of b", "  # too", "  b: 1   # 'c'", "    # deeper", "  c: 2"].join(end_of_line);
+            let text =
+                ["\u{feff}a:", "  # of b", "  # too", "  b: 1   # 'c'", "    # deeper", "  c: 2"].join(end_of_line);
             let b = text.find("b: 1").unwrap();
             assert_eq!(line(&text, start(&text, b)), "  b: 1   # 'c'");
             assert_eq!(line(&text, next(&text, b)), "    # deeper");

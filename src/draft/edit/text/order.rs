@@ -7,8 +7,28 @@ use crate::recipe::{DEFAULTS, Node, Origin, parse};
 
 /// Sections as recipes have them.
 const SECTIONS: [&str; 22] = [
-    "ensonify", "include", "name", "seed", "scenes", "frames", "let", "sweep", "sonar", "water", "seabed", "environment",
-    "multipath", "objects", "trajectory", "vehicle", "image", "looks", "licences", "labels", "splits", "output",
+    "ensonify",
+    "include",
+    "name",
+    "seed",
+    "scenes",
+    "frames",
+    "let",
+    "sweep",
+    "sonar",
+    "water",
+    "seabed",
+    "environment",
+    "multipath",
+    "objects",
+    "trajectory",
+    "vehicle",
+    "image",
+    "looks",
+    "licences",
+    "labels",
+    "splits",
+    "output",
 ];
 /// Keys whose order the defaults do not show, by pattern.
 const USUAL: [(&str, &[&str]); 4] = [

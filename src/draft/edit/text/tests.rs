@@ -22,7 +22,10 @@ fn paths(node: &Node, path: &str, found: &mut Vec<String>) {
 
 /// What can be done at a path.
 fn acts(tree: &Node, path: &str) -> Vec<Act> {
-    let long = format!("{{one: {{{}}}, two: [1, {{a: b}}]}}", (0..30).map(|i| format!("key-{i}: {i}")).collect::<Vec<_>>().join(", "));
+    let long = format!(
+        "{{one: {{{}}}, two: [1, {{a: b}}]}}",
+        (0..30).map(|i| format!("key-{i}: {i}")).collect::<Vec<_>>().join(", ")
+    );
     let values = ["7", "{uniform: [0.5, 3]}", "a: b # c", "[]", "[{pick: {catalog: starter}, count: 2}, x]", &long];
     let set = |text: &&str| Act::set(path, if text.contains('#') { super::super::act::word(text) } else { yaml(text) });
     // Half of the values each, in turn.
@@ -111,8 +114,12 @@ fn every_value_of_every_recipe_can_be_changed() {
 
 #[test]
 fn other_ways_of_writing_are_kept() {
-    tried_and_kept("list:\n- a: 1\n  b: 2\n\n- c: 3 # c\n# own\n- [x,y , z ]\n-   - 1\n    - 2\nmap: {a: 1,\n  b: [2,\n   3], }\n");
-    tried_and_kept("a:\n    - b: 'it''s'\n\n      c: \"q # r\"   # s\n      # of d\n      d:\n    - e: |\n        two\n        lines\n\n\n# end\nf: >-\n  g\n");
+    tried_and_kept(
+        "list:\n- a: 1\n  b: 2\n\n- c: 3 # c\n# own\n- [x,y , z ]\n-   - 1\n    - 2\nmap: {a: 1,\n  b: [2,\n   3], }\n",
+    );
+    tried_and_kept(
+        "a:\n    - b: 'it''s'\n\n      c: \"q # r\"   # s\n      # of d\n      d:\n    - e: |\n        two\n        lines\n\n\n# end\nf: >-\n  g\n",
+    );
     tried_and_kept("{a: 1, b: {c: [1, 2], d: }, e: [], f: {}}");
 }
 
@@ -144,7 +151,11 @@ fn what_a_careful_person_would_write() {
             "  - pick: {uid: anchor}\n",
             "  - pick: {uid: anchor}\n  - pick: {uid: crate}\n    count: 3\n",
         ),
-        (Act::Insert { list: "looks".into(), index: 1, value: yaml("{name: b}") }, "{name: a}\n", "{name: a}\n  - {name: b}\n"),
+        (
+            Act::Insert { list: "looks".into(), index: 1, value: yaml("{name: b}") },
+            "{name: a}\n",
+            "{name: a}\n  - {name: b}\n",
+        ),
         (Act::set("objects[1].count", yaml("5")), "uid: anchor}\n", "uid: anchor}\n    count: 5\n"),
         (Act::set("objects[0].label", yaml("x")), "- pick: {uid: tire}\n", "- label: x\n    pick: {uid: tire}\n"),
         (Act::set("objects[0].pick.uid", yaml("[tire, car-wheel]")), "{uid: tire}", "{uid: [tire, car-wheel]}"),

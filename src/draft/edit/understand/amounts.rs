@@ -73,7 +73,9 @@ impl Reader<'_> {
             self.change(self.at..behind + tokens, change);
             return Ok(Some(behind + tokens));
         }
-        if let Some((tokens, param)) = self.phrase(&lexicon().params, behind).filter(|(_, param)| fits(*param, found.measure)) {
+        if let Some((tokens, param)) =
+            self.phrase(&lexicon().params, behind).filter(|(_, param)| fits(*param, found.measure))
+        {
             let change = self.of_number(param, &found, false);
             self.change(self.at..behind + tokens, change);
             return Ok(Some(behind + tokens));
@@ -136,7 +138,9 @@ impl Reader<'_> {
         }
         let sign = if self.verb == Some(Verb::Fewer) { -1.0 } else { 1.0 };
         match (self.verb, amount) {
-            (Some(Verb::More | Verb::Fewer), Amount::Exactly(share)) if is_difference && found.measure == Measure::Share => {
+            (Some(Verb::More | Verb::Fewer), Amount::Exactly(share))
+                if is_difference && found.measure == Measure::Share =>
+            {
                 Change::Move(param, Move::Times(1.0 + sign * share))
             }
             (Some(Verb::More | Verb::Fewer), Amount::Exactly(value)) if is_difference => {
@@ -204,7 +208,9 @@ impl Reader<'_> {
         let plus = |param, sign: f64, usual: f64| by(param, sign, Move::By(sign * usual));
         let steps = |sign: i32| match found.map(|found| (&found.amount, found.measure)) {
             None => Some(sign),
-            Some((Amount::Exactly(value), Measure::Number)) if *value >= 1.0 && *value <= 9.0 => Some(sign * *value as i32),
+            Some((Amount::Exactly(value), Measure::Number)) if *value >= 1.0 && *value <= 9.0 => {
+                Some(sign * *value as i32)
+            }
             Some(_) => None,
         };
         match degree {

@@ -23,7 +23,8 @@ impl Reader<'_> {
         let behind = self.skip(self.at + tokens);
         let from = self.text.bytes(behind..behind + 1).start;
         let said = self.text.source.get(from..).unwrap_or_default();
-        let name = said.split([' ', ',', ';']).next().unwrap_or_default().trim_matches(['"', '\'', '“', '”', '.', '!', '?']);
+        let name =
+            said.split([' ', ',', ';']).next().unwrap_or_default().trim_matches(['"', '\'', '“', '”', '.', '!', '?']);
         let is_name = !name.is_empty()
             && name.len() <= LONGEST_NAME
             && name.starts_with(|c: char| c.is_alphanumeric())
@@ -85,7 +86,9 @@ impl Reader<'_> {
         while let Some((end, device)) = self.device_at(next)? {
             chosen.push(device);
             next = self.skip(end);
-            while self.text.is_mark(next, ',') || matches!(self.text.form(next), "and" | "or" | "und" | "oder" | "y" | "et") {
+            while self.text.is_mark(next, ',')
+                || matches!(self.text.form(next), "and" | "or" | "und" | "oder" | "y" | "et")
+            {
                 next = self.skip(next + 1);
             }
         }
@@ -168,7 +171,11 @@ impl Reader<'_> {
     }
 
     /// Words of one table one after the other; from one to another of a ladder, all between.
-    fn listed(&self, phrases: &crate::draft::read::phrases::Phrases<String>, ladder: &[&str]) -> Option<(usize, Vec<String>)> {
+    fn listed(
+        &self,
+        phrases: &crate::draft::read::phrases::Phrases<String>,
+        ladder: &[&str],
+    ) -> Option<(usize, Vec<String>)> {
         let (tokens, first) = self.phrase(phrases, self.at)?;
         let mut words = vec![first];
         let mut next = self.at + tokens;

@@ -79,11 +79,13 @@ impl Reader<'_> {
 
     /// `between (0,0) and (10,10)`, `from (0,0) to (10,10)`.
     fn rectangle(&self, at: usize) -> Option<(Stand, usize)> {
-        let is_between = |at: usize| matches!(self.text.form(at), "between" | "zwischen" | "entre" | "from" | "von" | "in" | "在");
+        let is_between =
+            |at: usize| matches!(self.text.form(at), "between" | "zwischen" | "entre" | "from" | "von" | "in" | "在");
         let begin = if is_between(at) { at + 1 } else { at };
         let first = place_at(&self.text, begin)?;
         let link = first.tokens.end;
-        let linked = matches!(self.text.form(link), "and" | "to" | "und" | "bis" | "y" | "et" | "a" | "-" | "和" | "到" | "x");
+        let linked =
+            matches!(self.text.form(link), "and" | "to" | "und" | "bis" | "y" | "et" | "a" | "-" | "和" | "到" | "x");
         let second = place_at(&self.text, link + usize::from(linked)).filter(|_| linked && begin > at)?;
         Some((Stand::Within(first.flat()?, second.flat()?), second.tokens.end))
     }
@@ -102,8 +104,12 @@ impl Reader<'_> {
         // `2 m to the left of`: the relation may begin behind `away`.
         for at in [end, end + 1] {
             match self.relation_at(at) {
-                Some((tokens, Relation::AboveBottom)) => return Ok(Some((Stand::Floating(Some(amount())), at + tokens))),
-                Some((tokens, Relation::BelowSurface)) => return Ok(Some((Stand::BelowSurface(amount()), at + tokens))),
+                Some((tokens, Relation::AboveBottom)) => {
+                    return Ok(Some((Stand::Floating(Some(amount())), at + tokens)));
+                }
+                Some((tokens, Relation::BelowSurface)) => {
+                    return Ok(Some((Stand::BelowSurface(amount()), at + tokens)));
+                }
                 Some((tokens, Relation::Apart)) => return Ok(Some((Stand::Apart(amount()), at + tokens))),
                 Some((tokens, relation)) if at == end || relation != Relation::On => {
                     if let Some(found) = self.related(relation, Some(amount()), at + tokens)? {
@@ -117,7 +123,9 @@ impl Reader<'_> {
     }
 
     fn manner(&self, manner: Manner, end: usize) -> (Stand, usize) {
-        let half = |at: usize| self.phrase(&lexicon().stands, at).filter(|(_, manner)| matches!(manner, Manner::Half | Manner::Buried));
+        let half = |at: usize| {
+            self.phrase(&lexicon().stands, at).filter(|(_, manner)| matches!(manner, Manner::Half | Manner::Buried))
+        };
         match manner {
             Manner::Floating => (Stand::Floating(None), end),
             Manner::Moored => (Stand::Moored(None), end),
@@ -155,7 +163,8 @@ impl Reader<'_> {
             Relation::Behind => Some(Side::Behind),
             _ => None,
         };
-        if let (Some(side), Some((tokens, Topic::Vehicle | Topic::Sonar))) = (side, self.phrase(&lexicon().topics, at)) {
+        if let (Some(side), Some((tokens, Topic::Vehicle | Topic::Sonar))) = (side, self.phrase(&lexicon().topics, at))
+        {
             return Ok(Some((Stand::FromVehicle { side, distance_m }, at + tokens)));
         }
         if relation == Relation::Within {
@@ -178,8 +187,29 @@ impl Reader<'_> {
         let is_article = |form: &str| {
             matches!(
                 form,
-                "the" | "a" | "an" | "of" | "der" | "die" | "das" | "dem" | "den" | "einem" | "einer" | "el" | "la" | "los" | "las"
-                    | "le" | "les" | "l" | "un" | "une" | "una" | "du" | "its"
+                "the"
+                    | "a"
+                    | "an"
+                    | "of"
+                    | "der"
+                    | "die"
+                    | "das"
+                    | "dem"
+                    | "den"
+                    | "einem"
+                    | "einer"
+                    | "el"
+                    | "la"
+                    | "los"
+                    | "las"
+                    | "le"
+                    | "les"
+                    | "l"
+                    | "un"
+                    | "une"
+                    | "una"
+                    | "du"
+                    | "its"
             )
         };
         while is_article(self.text.form(at)) {

@@ -67,14 +67,18 @@ impl Reader<'_> {
             (None | Some(Verb::More), Some(count)) if self.is_there(&thing.which) && !counted.is_more => {
                 Ok(Some(self.number(begin, thing, NumberOf::Count(count))))
             }
-            (Some(Verb::Put | Verb::Move | Verb::Bury) | None, _) if self.is_there(&thing.which) && !counted.is_more => {
+            (Some(Verb::Put | Verb::Move | Verb::Bury) | None, _)
+                if self.is_there(&thing.which) && !counted.is_more =>
+            {
                 self.stood(begin, &counted, thing)
             }
             (Some(Verb::Bury | Verb::Move), _) => {
                 // What is not there is asked back by the change itself.
                 self.stood(begin, &counted, thing)
             }
-            _ if counted.count.is_some() || counted.is_more || self.verb == Some(Verb::Put) => self.added(begin, &counted, thing),
+            _ if counted.count.is_some() || counted.is_more || self.verb == Some(Verb::Put) => {
+                self.added(begin, &counted, thing)
+            }
             _ => Ok(None),
         }
     }
@@ -100,7 +104,11 @@ impl Reader<'_> {
     fn replaced(&mut self, begin: usize, thing: Thing) -> Step {
         let Some((tokens, ())) = self.phrase(&lexicon().by, thing.end) else {
             let help = "say what comes: “replace the barrels by crates”";
-            return Err(self.problem(begin..thing.end, format!("nothing comes in the stead of {}", thing.which.called), help));
+            return Err(self.problem(
+                begin..thing.end,
+                format!("nothing comes in the stead of {}", thing.which.called),
+                help,
+            ));
         };
         let counted = self.counted_from(thing.end + tokens);
         let Some(new) = self.thing_at(counted.end) else {
@@ -110,7 +118,9 @@ impl Reader<'_> {
         let end = new.end;
         let named = new.named.map_err(|near| self.no_such(counted.end..end, &near))?;
         self.change(begin..end, Change::Swap(thing.which, named));
-        if let Some(count) = counted.count.filter(|_| !counted.is_definite && count_is_said(&self.text, thing.end + tokens)) {
+        if let Some(count) =
+            counted.count.filter(|_| !counted.is_definite && count_is_said(&self.text, thing.end + tokens))
+        {
             self.change(begin..end, Change::Number(new.which, NumberOf::Count(count)));
         }
         self.verb = None;
@@ -141,7 +151,11 @@ impl Reader<'_> {
             stands.push(Stand::Buried(Amount::Exactly(0.5)));
         }
         if stands.is_empty() {
-            return if self.verb == Some(Verb::Put) && !counted.is_definite { self.added(begin, counted, thing) } else { Ok(None) };
+            return if self.verb == Some(Verb::Put) && !counted.is_definite {
+                self.added(begin, counted, thing)
+            } else {
+                Ok(None)
+            };
         }
         if self.verb == Some(Verb::Put) && !counted.is_definite {
             return self.added(begin, counted, thing);
@@ -166,7 +180,10 @@ impl Reader<'_> {
 
     fn end_of_noun(&self, from: usize) -> usize {
         let mut end = from + 1;
-        while end < from + 3 && self.text.tokens.get(end).is_some_and(|token| token.kind == Kind::Word) && self.is_free(end) {
+        while end < from + 3
+            && self.text.tokens.get(end).is_some_and(|token| token.kind == Kind::Word)
+            && self.is_free(end)
+        {
             end += 1;
         }
         end
@@ -201,10 +218,13 @@ impl Reader<'_> {
         loop {
             let at = counted.end;
             let form = self.text.form(at);
-            if let Some(number) = number_at(&self.text, at).filter(|number| counted.count.is_none() && is_count(number.value)) {
+            if let Some(number) =
+                number_at(&self.text, at).filter(|number| counted.count.is_none() && is_count(number.value))
+            {
                 let upper = self.upper(at + number.tokens);
                 let low = number.value as u32;
-                counted.count = Some(upper.map_or(Count::Exactly(low), |(_, high)| Count::Between(low.min(high), low.max(high))));
+                counted.count =
+                    Some(upper.map_or(Count::Exactly(low), |(_, high)| Count::Between(low.min(high), low.max(high))));
                 counted.end = at + number.tokens + upper.map_or(0, |(tokens, _)| tokens);
             } else if let Some((tokens, vague)) = self.vague(at).filter(|_| counted.count.is_none()) {
                 counted.count = Some(vague);
@@ -215,8 +235,10 @@ impl Reader<'_> {
             } else if let Some((tokens, Manner::School)) = self.phrase(&lexicon().stands, at) {
                 counted.manner = Some(Stand::School);
                 counted.end = at + tokens;
-            } else if matches!(form, "more" | "additional" | "further" | "extra" | "mehr" | "weitere" | "más" | "mas" | "plus" | "autre")
-                || matches!(form, "another" | "noch")
+            } else if matches!(
+                form,
+                "more" | "additional" | "further" | "extra" | "mehr" | "weitere" | "más" | "mas" | "plus" | "autre"
+            ) || matches!(form, "another" | "noch")
             {
                 if form == "another" {
                     counted.count = counted.count.or(Some(Count::Exactly(1)));
@@ -231,8 +253,34 @@ impl Reader<'_> {
                 counted.end = at + 1;
             } else if matches!(
                 form,
-                "the" | "all" | "every" | "any" | "of" | "der" | "die" | "das" | "den" | "alle" | "el" | "la" | "los" | "las" | "le" | "les"
-                    | "todos" | "todas" | "tous" | "toutes" | "le" | "these" | "those" | "那" | "所" | "有" | "个" | "只" | "l"
+                "the"
+                    | "all"
+                    | "every"
+                    | "any"
+                    | "of"
+                    | "der"
+                    | "die"
+                    | "das"
+                    | "den"
+                    | "alle"
+                    | "el"
+                    | "la"
+                    | "los"
+                    | "las"
+                    | "le"
+                    | "les"
+                    | "todos"
+                    | "todas"
+                    | "tous"
+                    | "toutes"
+                    | "these"
+                    | "those"
+                    | "那"
+                    | "所"
+                    | "有"
+                    | "个"
+                    | "只"
+                    | "l"
             ) {
                 counted.is_definite |= form != "of";
                 counted.end = at + 1;
@@ -281,7 +329,9 @@ impl Reader<'_> {
             let better = match (&best, &thing) {
                 (_, None) => false,
                 (None, Some(_)) => true,
-                (Some(old), Some(new)) => new.which.uids != old.which.uids || new.which.labels.is_disjoint(&old.which.labels),
+                (Some(old), Some(new)) => {
+                    new.which.uids != old.which.uids || new.which.labels.is_disjoint(&old.which.labels)
+                }
             };
             if better {
                 best = thing;
@@ -337,7 +387,8 @@ fn is_count(value: f64) -> bool {
 
 /// Whether a number stands at a token, not an article.
 fn count_is_said(text: &crate::draft::read::text::Text<'_>, at: usize) -> bool {
-    !matches!(text.form(at), "a" | "an" | "ein" | "eine" | "einen" | "un" | "une" | "una") && number_at(text, at).is_some()
+    !matches!(text.form(at), "a" | "an" | "ein" | "eine" | "einen" | "un" | "une" | "una")
+        && number_at(text, at).is_some()
 }
 
 /// Catalogs, for tests of other modules.

@@ -29,7 +29,8 @@ impl Reader<'_> {
             lexicon().verbs.all_at(&self.text, self.at).map(|(tokens, verb)| (tokens, *verb)).collect();
         let wanted = |verb: &Verb| matches!(verb, Verb::Turn | Verb::Pitch | Verb::Point);
         let said = verbs.into_iter().find(|(_, verb)| wanted(verb));
-        let topic = self.phrase(&lexicon().topics, self.at).filter(|(_, topic)| matches!(topic, Topic::Sonar | Topic::Vehicle));
+        let topic =
+            self.phrase(&lexicon().topics, self.at).filter(|(_, topic)| matches!(topic, Topic::Sonar | Topic::Vehicle));
         let (tokens, verb) = match (said, topic) {
             (Some((tokens, verb)), _) => (tokens, Some(verb)),
             // `the sonar 20° down`
@@ -41,7 +42,9 @@ impl Reader<'_> {
         let change = match (verb, &turn) {
             (_, Turn { heading: Some(heading), .. }) if verb != Some(Verb::Pitch) => Some(Change::Heading(*heading)),
             (None, Turn { number: None, .. }) => None,
-            (_, Turn { turning: Some(Turning::Up | Turning::Down), .. }) | (Some(Verb::Pitch), _) => self.pitched(held, &turn)?,
+            (_, Turn { turning: Some(Turning::Up | Turning::Down), .. }) | (Some(Verb::Pitch), _) => {
+                self.pitched(held, &turn)?
+            }
             (_, Turn { turning: Some(side), number, .. }) => {
                 let degrees = angle(number.as_ref()).or_else(|| number.is_none().then_some(90.0));
                 let sign = if *side == Turning::Left { 1.0 } else { -1.0 };
@@ -86,10 +89,13 @@ impl Reader<'_> {
                 turn.is_new |= matches!(before, "to" | "auf" | "a" | "=" | ":" | "为" | "到");
                 at = number.tokens.end;
                 turn.number = Some(number);
-            } else if let Some((tokens, turning)) = self.phrase(&lexicon().turns, at).filter(|_| turn.turning.is_none()) {
+            } else if let Some((tokens, turning)) = self.phrase(&lexicon().turns, at).filter(|_| turn.turning.is_none())
+            {
                 turn.turning = Some(turning);
                 at += tokens;
-            } else if let Some((tokens, heading)) = self.phrase(&lexicon().headings, at).filter(|_| turn.heading.is_none()) {
+            } else if let Some((tokens, heading)) =
+                self.phrase(&lexicon().headings, at).filter(|_| turn.heading.is_none())
+            {
                 turn.heading = Some(heading);
                 at += tokens;
             } else {
