@@ -46,7 +46,10 @@ pub(super) fn place_of(path: &str, keys: &[&str], new: &str) -> usize {
     let usual = usual(&pattern(path));
     let rank = |key: &str| usual.iter().position(|usual| *usual == key);
     let Some(own) = rank(new) else { return keys.len() };
-    keys.iter().rposition(|key| rank(key).is_some_and(|rank| rank < own)).map_or(0, |before| before + 1)
+    if let Some(before) = keys.iter().rposition(|key| rank(key).is_some_and(|rank| rank < own)) {
+        return before + 1;
+    }
+    keys.iter().position(|key| rank(key).is_some()).unwrap_or(keys.len())
 }
 
 fn usual(pattern: &str) -> Vec<&'static str> {
@@ -80,6 +83,7 @@ mod tests {
             ("objects[3]", &["pick", "pose"], "count", 1),
             ("objects[3].pose.rest", &["within_m"], "burial", 0),
             ("objects[3].pose.rest", &["tip_deg", "within_m"], "unheard", 2),
+            ("trajectory.hover", &["position_m"], "yaw_deg", 1),
             ("sonar.mount", &["position_m", "roll_deg"], "pitch_deg", 1),
         ] {
             assert_eq!(place_of(path, keys, new), index, "{path} {new}");

@@ -314,16 +314,13 @@ impl Reader<'_> {
     pub(super) fn thing_at(&self, at: usize) -> Option<Thing> {
         let is_word = |at: usize| self.text.tokens.get(at).is_some_and(|token| token.kind == Kind::Word);
         let mut best: Option<Thing> = None;
+        // What this table has is no name of a thing, nor its first word: `put a rock`.
+        if !self.is_free(at) && !self.is_label(self.text.form(at)) {
+            return None;
+        }
         for end in at + 1..=at + LONGEST {
             if !is_word(end - 1) || (end - at > 1 && best.is_some() && !self.is_free(end - 1)) {
                 break;
-            }
-            // Words of this table alone are no names of things: `line`, `head`.
-            if end == at + 1 && !self.is_free(at) && !self.is_label(self.text.form(at)) {
-                if self.phrase(&lexicon().relations, at).is_some() || self.phrase(&lexicon().fillers, at).is_some() {
-                    break;
-                }
-                continue;
             }
             let thing = self.named(at, end);
             let better = match (&best, &thing) {
