@@ -34,7 +34,7 @@ pub struct Check {
 
 /// What a recipe makes.
 #[derive(Debug, Serialize)]
-struct Report {
+pub(super) struct Report {
     name: String,
     plan_hash: String,
     variants: u64,
@@ -75,33 +75,38 @@ struct Estimate {
 impl Check {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
         let project = self.recipe.load()?;
-        let tried = project.try_corners()?;
-        let mut report = Report::of(&project, tried);
-        if !self.quick {
-            let found = survey(&project)?;
-            report.estimate = Some(self.estimate(&project, &found)?);
-            report.warnings.extend(warnings::of_models(&project.plan, &project.assets));
-            report.warnings.extend(warnings::of_survey(&found));
-        }
+        let looked = if self.quick { Looked::Nowhere } else { Looked::AtScenes };
+        let report = Report::on(&project, looked, self.jobs)?;
         if self.json {
             say!("{}", serde_json::to_string_pretty(&report)?);
             return Ok(Code::Done);
         }
-        self.tell(&report, &project.plan);
-        let notes = project.notes.iter().map(ToString::to_string);
-        notes.chain(report.warnings.into_iter().map(|warning| warning.text)).for_each(|note| eprintln!("note: {note}"));
+        say!("{} is fine", self.recipe.file().display());
+        report.lines(&project.plan).into_iter().for_each(|line| say!("{line}"));
+        report.notes(&project).into_iter().for_each(|note| eprintln!("note: {note}"));
         Ok(Code::Done)
     }
+}
 
-    fn estimate(&self, project: &Project, found: &Survey) -> anyhow::Result<Estimate> {
+/// What of a plan is looked at beside its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Looked {
+    /// Some scenes are built, some frames rendered.
+    AtScenes,
+    /// Nothing is.
+    Nowhere,
+}
+
+impl Estimate {
+    fn of(project: &Project, found: &Survey, jobs: Option<u16>) -> anyhow::Result<Self> {
         let timed = trial(project)?;
         let (frames, scenes) = (project.plan.jobs.len() as f64, project.plan.scenes.len() as f64);
-        let threads = self.jobs.map_or_else(processors, usize::from);
+        let threads = jobs.map_or_else(processors, usize::from);
         let seconds_per_scene = found.building_s / found.scenes.max(1) as f64;
         let work = frames * timed.frame_s + scenes * seconds_per_scene;
         // More threads than processors do not help, nor more than frames.
         let abreast = threads.min(processors()) as f64;
-        Ok(Estimate {
+        Ok(Self {
             threads: threads as u64,
             seconds: work / abreast.min(frames),
             bytes: (frames * timed.frame_bytes) as u64 + project.plan_json.len() as u64,
@@ -110,46 +115,74 @@ impl Check {
             seconds_per_scene,
         })
     }
+}
 
-    fn tell(&self, report: &Report, plan: &Plan) {
+impl Report {
+    /// What is to be said of a project that can be run.
+    ///
+    /// # Errors
+    /// The first thing that a run would refuse.
+    pub(super) fn on(project: &Project, looked: Looked, jobs: Option<u16>) -> anyhow::Result<Self> {
+        let tried = project.try_corners()?;
+        let mut report = Self::of(project, tried);
+        if looked == Looked::AtScenes {
+            let found = survey(project)?;
+            report.estimate = Some(Estimate::of(project, &found, jobs)?);
+            report.warnings.extend(warnings::of_models(&project.plan, &project.assets));
+            report.warnings.extend(warnings::of_survey(&found));
+        }
+        Ok(report)
+    }
+
+    /// Notes on what can be run and may not be what was meant.
+    pub(super) fn notes(&self, project: &Project) -> Vec<String> {
+        let notes = project.notes.iter().map(ToString::to_string);
+        notes.chain(self.warnings.iter().map(|warning| warning.text.clone())).collect()
+    }
+
+    /// Counts, time and disk, a line each.
+    pub(super) fn lines(&self, plan: &Plan) -> Vec<String> {
+        let report = self;
+        let mut lines = Vec::new();
+        let mut add = |line: String| lines.push(line);
         let list = |counts: Vec<(&str, u64)>| {
             counts.iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", ")
         };
         let splits = list(report.splits.iter().map(|(name, count)| (*name, *count)).collect());
         let objects = list(report.objects.iter().map(|(name, count)| (name.as_str(), *count)).collect());
-        say!("{} is fine", self.recipe.file().display());
-        say!("  scenes    {}", report.scenes);
+        add(format!("  scenes    {}", report.scenes));
         if !plan.variants.is_empty() {
-            say!("  variants  {}", report.variants);
-            plan.variants.iter().for_each(|variant| say!("    {}  {}", variant.id, variant.description));
+            add(format!("  variants  {}", report.variants));
+            plan.variants.iter().for_each(|variant| add(format!("    {}  {}", variant.id, variant.description)));
         }
-        say!("  frames    {} ({splits})", report.frames);
+        add(format!("  frames    {} ({splits})", report.frames));
         if !report.looks.is_empty() {
-            say!("  looks     {} ({})", report.looks.len(), report.looks.join(", "));
+            add(format!("  looks     {} ({})", report.looks.len(), report.looks.join(", ")));
         }
-        say!("  images    {}", report.images);
-        say!("  objects   {}", if objects.is_empty() { "none" } else { &objects });
+        add(format!("  images    {}", report.images));
+        add(format!("  objects   {}", if objects.is_empty() { "none" } else { &objects }));
         let possible = match report.models_possible {
             0 => String::new(),
             possible => format!("; {possible} that could be picked can be read"),
         };
-        say!("  models    {}{possible}", report.models);
+        add(format!("  models    {}{possible}", report.models));
         if report.corners > 0 {
             let all = report.corners_in_all;
             let of = if all > report.corners { format!(" of {all}") } else { String::new() };
-            say!("  corners   {}{of} ends of distributions tried", report.corners);
+            add(format!("  corners   {}{of} ends of distributions tried", report.corners));
         }
         if let Some(estimate) = &report.estimate {
             let Estimate { threads, seconds, frames_timed, seconds_per_frame, bytes, .. } = estimate;
             let (time, each) = (duration(*seconds), duration(*seconds_per_frame));
-            say!("  time      about {time} with {threads} threads ({each} a frame on one; {frames_timed} timed)");
-            say!("  disk      about {}", size(*bytes as f64));
+            add(format!(
+                "  time      about {time} with {threads} threads ({each} a frame on one; {frames_timed} timed)"
+            ));
+            add(format!("  disk      about {}", size(*bytes as f64)));
         }
-        say!("  plan hash {}", report.plan_hash);
+        add(format!("  plan hash {}", report.plan_hash));
+        lines
     }
-}
 
-impl Report {
     fn of(project: &Project, tried: Tried) -> Self {
         let plan = &project.plan;
         let mut objects: BTreeMap<String, u64> = BTreeMap::new();

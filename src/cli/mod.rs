@@ -13,6 +13,7 @@ macro_rules! say {
 mod catalog;
 mod check;
 mod diff;
+mod draft;
 mod edit;
 mod finish;
 mod job;
@@ -73,6 +74,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Verb {
     Run(run::Run),
+    Draft(draft::DraftVerb),
     Check(check::Check),
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
@@ -134,6 +136,7 @@ fn processors() -> usize {
 pub fn main() -> ExitCode {
     let outcome = match Cli::parse().verb {
         Verb::Run(verb) => verb.run(),
+        Verb::Draft(verb) => verb.run(),
         Verb::Check(verb) => verb.run(),
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),

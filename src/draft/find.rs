@@ -52,6 +52,11 @@ pub(in crate::draft) fn is_known_thing(name: &str) -> bool {
     Said::of(name).concept.is_some()
 }
 
+/// The label or group that a name means, whatever the catalogs have.
+pub(in crate::draft) fn name_of(name: &str) -> Option<String> {
+    Said::of(name).concept.map(|concept| concepts().name(concept).to_owned())
+}
+
 /// A name, read.
 struct Said {
     /// In common form, errors repaired.
@@ -82,8 +87,15 @@ impl Said {
             concept = concepts().number("shipwreck");
         }
         let mut head = unit.map(|unit| unit.words.clone()).unwrap_or_default();
+        let declined = forms.last().and_then(|word| {
+            let roots = ["ern", "em", "n"].iter().filter_map(|ending| word.strip_suffix(ending));
+            let meant = |root: &str| {
+                concepts().units(&[root.to_owned()]).iter().find_map(|unit| unit.concepts.first().copied())
+            };
+            roots.filter(|root| root.len() > 3).find_map(|root| Some((meant(root)?, root.to_owned())))
+        });
         if concept.is_none()
-            && let Some((meant, part)) = forms.last().and_then(|word| compound(word))
+            && let Some((meant, part)) = declined.or_else(|| forms.last().and_then(|word| compound(word)))
         {
             (concept, head) = (Some(meant), vec![part]);
         }

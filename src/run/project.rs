@@ -96,6 +96,20 @@ impl Project {
         Ok(Self { includes, recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets, recipe_dir) })
     }
 
+    /// Compiles the text of a recipe that is not in a file yet, as if it lay in a folder.
+    ///
+    /// # Errors
+    /// The first fault, located in the text.
+    pub fn of_text(name: &str, text: &str, folder: &Path) -> Result<Self, PlanError> {
+        let recipe = Recipe::parse(name, text)?;
+        let stem = name.strip_suffix(".yaml").unwrap_or(name);
+        let assets = AssetCache::new(folder);
+        let plan = compile(&recipe, stem, folder, &assets)?;
+        let notes = notes(&recipe);
+        let recipe_text = Some(text.to_owned());
+        Ok(Self { recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets, folder.to_owned()) })
+    }
+
     /// Tries what could be drawn beside what is drawn; of a project that was given as a plan there is nothing to try.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! `ensonify catalog`: models of one's own, the starter catalog, caches of Objaverse.
 
+mod annotate;
 mod index;
 mod licences;
 mod list;
@@ -34,6 +35,7 @@ enum Verb {
     Show(show::Show),
     List(list::List),
     Licences(licences::Licences),
+    Annotate(annotate::Annotate),
     Verify(verify::Verify),
 }
 
@@ -45,6 +47,7 @@ impl CatalogVerb {
             Verb::Show(verb) => verb.run(),
             Verb::List(verb) => verb.run(),
             Verb::Licences(verb) => verb.run(),
+            Verb::Annotate(verb) => verb.run(),
             Verb::Verify(verb) => verb.run(),
         }
     }

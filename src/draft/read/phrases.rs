@@ -11,6 +11,8 @@ use super::token::{Language, tokens};
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(in crate::draft) struct Words {
+    /// What the words are for, where their key does not say it.
+    pub(super) is: Vec<String>,
     en: Vec<String>,
     de: Vec<String>,
     es: Vec<String>,

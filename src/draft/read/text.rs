@@ -23,7 +23,8 @@ impl<'a> Text<'a> {
         let language = language_of(&tokens(source, Language::English));
         let mut tokens = tokens(source, language);
         for token in tokens.iter_mut().filter(|token| token.kind == Kind::Word) {
-            if let Some(meant) = repaired(&token.form) {
+            let misspelt = vocabulary().misspelt(&token.form).filter(|_| language == Language::English);
+            if let Some(meant) = misspelt.or_else(|| repaired(&token.form)) {
                 token.form = meant;
             }
         }

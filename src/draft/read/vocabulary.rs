@@ -73,6 +73,157 @@ pub(in crate::draft) enum RangeWord {
     In,
 }
 
+/// What a number is of.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord)]
+#[serde(rename_all = "kebab-case")]
+pub(in crate::draft) enum Cue {
+    Depth,
+    BelowSurface,
+    AboveSurface,
+    Altitude,
+    ObjectRange,
+    MostRange,
+    LeastRange,
+    RangeWindow,
+    Spacing,
+    Apart,
+    Size,
+    Wavelength,
+    Relief,
+    PathLength,
+    Radius,
+    DiveTo,
+    Front,
+    Behind,
+    Left,
+    Right,
+    FromThing,
+    SonarDepth,
+    Temperature,
+    Salinity,
+    Ph,
+    Frequency,
+    Beams,
+    Fov,
+    TiltDown,
+    TiltUp,
+    Yaw,
+    Slope,
+    Heading,
+    Arc,
+    Motion,
+    Speed,
+    Burial,
+    Seed,
+    Lines,
+    Sides,
+}
+
+/// Words of requests by what they mean; the table shows them.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord)]
+#[serde(rename_all = "kebab-case")]
+pub(in crate::draft) enum Word {
+    Images,
+    Scenes,
+    SameScene,
+    Each,
+    PerScene,
+    PerImage,
+    Without,
+    Include,
+    Bottom,
+    Vehicle,
+    ViewFrom,
+    Lawnmower,
+    Orbit,
+    Views,
+    DifferentSides,
+    Approach,
+    Follow,
+    Hover,
+    Dive,
+    ComeBack,
+    After,
+    StraightLine,
+    Waypoints,
+    North,
+    East,
+    South,
+    West,
+    Northeast,
+    Northwest,
+    Southeast,
+    Southwest,
+    Buried,
+    HalfBuried,
+    PartlyBuried,
+    MostlyBuried,
+    FullyBuried,
+    Floating,
+    Moored,
+    OnSide,
+    Upright,
+    Settled,
+    Heap,
+    Row,
+    School,
+    Leaning,
+    OnTop,
+    Near,
+    LeftOf,
+    RightOf,
+    FrontOf,
+    BehindOf,
+    Scattered,
+    Resting,
+    Middle,
+    Train,
+    Validation,
+    Test,
+    Split,
+    ByAsset,
+    ByScene,
+    ByVariant,
+    Speckle,
+    Noise,
+    NoiseFree,
+    Weak,
+    Medium,
+    Strong,
+    Fresh,
+    Brackish,
+    SaltWater,
+    Shallow,
+    DeepWater,
+    Tropical,
+    Arctic,
+    LowFrequency,
+    HighFrequency,
+    NavigationMode,
+    InspectionMode,
+    Level,
+    Multipath,
+    Raw,
+    Fan,
+    Polar,
+    Tar,
+    CallIt,
+    Compare,
+    SizeUp,
+    SizeDown,
+    EmptyScene,
+    Anything,
+    HalfOf,
+}
+
+/// A cue's words by where they stand.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Sides {
+    before: Words,
+    behind: Words,
+}
+
 /// Every section of the table.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -90,6 +241,17 @@ struct Table {
     parts: Words,
     passes: BTreeMap<String, Vec<String>>,
     plain: Words,
+    strange: Words,
+    doubtful: Words,
+    cues: BTreeMap<Cue, Sides>,
+    words: BTreeMap<Word, Words>,
+    ignored: BTreeMap<String, Words>,
+    sediments: BTreeMap<String, Words>,
+    shapes: BTreeMap<String, Words>,
+    environments: BTreeMap<String, Words>,
+    turbidities: BTreeMap<String, Words>,
+    edits: BTreeMap<String, Words>,
+    misspelt: BTreeMap<String, Vec<String>>,
 }
 
 /// What the table says, ready to be matched.
@@ -113,8 +275,34 @@ pub(in crate::draft) struct Vocabulary {
     pub(in crate::draft) wrecked: BTreeSet<String>,
     /// First parts of German compounds that are no things.
     pub(in crate::draft) parts: BTreeSet<String>,
+    /// Words for things that are seldom meant as such.
+    pub(in crate::draft) doubtful: BTreeSet<String>,
+    /// Words for what sonars never see.
+    strange: BTreeSet<String>,
+    /// Words that say nothing.
+    pub(in crate::draft) plain: BTreeSet<String>,
+    /// What a number is of, by the words before it.
+    pub(in crate::draft) cues_before: Phrases<Cue>,
+    /// What a number is of, by the words behind it.
+    pub(in crate::draft) cues_behind: Phrases<Cue>,
+    /// Words of requests.
+    pub(in crate::draft) words: Phrases<Word>,
+    /// Adjectives that change nothing, with the reason.
+    pub(in crate::draft) ignored: Phrases<String>,
+    /// Sediments of the recipe.
+    pub(in crate::draft) sediments: Phrases<Vec<String>>,
+    /// Kinds of `seabed.shape`.
+    pub(in crate::draft) shapes: Phrases<String>,
+    /// Kinds of `environment.kind`.
+    pub(in crate::draft) environments: Phrases<String>,
+    /// Kinds of `water.turbidity`.
+    pub(in crate::draft) turbidities: Phrases<String>,
+    /// How changes of something that is there begin.
+    pub(in crate::draft) edits: Phrases<()>,
     /// Labels by the name that they pass for, too.
     passes: BTreeMap<String, Vec<String>>,
+    /// English words by spellings that are words of another language, or too far from them.
+    misspelt: BTreeMap<String, String>,
 }
 
 impl Vocabulary {
@@ -125,6 +313,10 @@ impl Vocabulary {
             let value: f64 = share.parse().map_err(|_| format!("vocabulary.yaml: shares: `{share}` is no number"))?;
             shares.push((value, words));
         }
+        let misspelt = table
+            .misspelt
+            .iter()
+            .flat_map(|(word, spellings)| spellings.iter().map(|spelling| (spelling.clone(), word.clone())));
         let mut read = Self {
             languages: BTreeMap::new(),
             numbers: counts(&table.numbers),
@@ -137,9 +329,23 @@ impl Vocabulary {
             measure_words: Phrases::of([((), &table.measure_words)]),
             wrecked: forms(&table.wrecked),
             parts: forms(&table.parts),
+            doubtful: forms(&table.doubtful),
+            strange: forms(&table.strange),
+            plain: forms(&table.plain),
+            cues_before: Phrases::of(table.cues.iter().map(|(cue, sides)| (*cue, &sides.before))),
+            cues_behind: Phrases::of(table.cues.iter().map(|(cue, sides)| (*cue, &sides.behind))),
+            words: phrases(&table.words),
+            ignored: Phrases::of(table.ignored.values().map(|words| (words.is.join(" "), words))),
+            sediments: Phrases::of(table.sediments.values().map(|words| (words.is.clone(), words))),
+            shapes: named(&table.shapes),
+            environments: named(&table.environments),
+            turbidities: named(&table.turbidities),
+            edits: Phrases::of(table.edits.values().map(|words| ((), words))),
             passes: table.passes,
+            misspelt: misspelt.collect(),
         };
-        let tells = Phrases::of([((), &table.languages), ((), &table.plain), ((), &table.wrecked)]);
+        let tells =
+            Phrases::of([((), &table.languages), ((), &table.plain), ((), &table.wrecked), ((), &table.strange)]);
         let said: Vec<(Language, String)> = [&read.numbers, &read.powers, &read.shares]
             .into_iter()
             .flat_map(Phrases::words)
@@ -148,6 +354,14 @@ impl Vocabulary {
             .chain(read.ranges.words())
             .chain(read.units.words())
             .chain(tells.words())
+            .chain(read.cues_before.words())
+            .chain(read.cues_behind.words())
+            .chain(read.words.words())
+            .chain(read.ignored.words())
+            .chain(read.sediments.words())
+            .chain(read.shapes.words())
+            .chain(read.environments.words())
+            .chain(read.turbidities.words())
             .map(|(language, word)| (language, word.to_owned()))
             .collect();
         for (language, word) in said {
@@ -157,9 +371,19 @@ impl Vocabulary {
     }
 
     /// The languages that a word in common form is of; none if it is in no phrase.
-    pub(super) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
+    pub(in crate::draft) fn languages_of(&self, form: &str) -> &BTreeSet<Language> {
         static NONE: BTreeSet<Language> = BTreeSet::new();
         self.languages.get(form).unwrap_or(&NONE)
+    }
+
+    /// The English word that a spelling in common form stands for.
+    pub(super) fn misspelt(&self, form: &str) -> Option<String> {
+        self.misspelt.get(form).cloned()
+    }
+
+    /// Whether a word in common form means something here, or is known to mean nothing.
+    pub(in crate::draft) fn is_said(&self, form: &str) -> bool {
+        self.languages.contains_key(form) && !self.strange.contains(form)
     }
 
     /// Whether models with this label are what somebody calls so, although the table of things has them apart.
@@ -175,6 +399,10 @@ impl Vocabulary {
 
 fn phrases<T: Copy>(table: &BTreeMap<T, Words>) -> Phrases<T> {
     Phrases::of(table.iter().map(|(means, words)| (*means, words)))
+}
+
+fn named(table: &BTreeMap<String, Words>) -> Phrases<String> {
+    Phrases::of(table.iter().map(|(name, words)| (name.clone(), words)))
 }
 
 fn forms(words: &Words) -> BTreeSet<String> {

@@ -10,8 +10,8 @@ mod thing;
 use std::ops::Range;
 
 pub use amount::{Amount, Count};
-pub use path::{Path, Route};
-pub use settings::{Look, LookChange, Seabed, Sonar, Splits, Water};
+pub use path::{Path, Route, Sway};
+pub use settings::{Look, LookChange, Output, Seabed, Sonar, Splits, Water};
 pub use thing::{Side, Stand, Thing, Unknown};
 
 /// Where a part of a wish comes from.
@@ -77,6 +77,10 @@ pub struct Wish {
     pub sonar: Sonar,
     /// How the vehicle moves.
     pub path: Path,
+    /// Mirrors of the recipe's `multipath`: `surface`, `bottom`.
+    pub multipath: Option<Said<Vec<String>>>,
+    /// What is written besides.
+    pub output: Output,
     /// Shares of training, validation and test.
     pub splits: Option<Said<Splits>>,
     /// Several pictures of the same echoes.

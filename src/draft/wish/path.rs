@@ -17,8 +17,27 @@ pub struct Path {
     pub speed_m_s: Option<Said<Amount>>,
     /// Where it is: x east, y north, z up, metres.
     pub position_m: Option<Said<[f64; 3]>>,
+    /// Places that it passes in this order: x east, y north, z up, metres.
+    pub points_m: Option<Said<Vec<[f64; 3]>>>,
+    /// How it sways and drifts.
+    pub sway: Option<Said<Sway>>,
     /// Where it looks, degrees counter-clockwise from x (east): north is 90.
     pub heading_deg: Option<Said<f64>>,
+}
+
+/// How waves and current move the vehicle, root mean squares, as far as they were said.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sway {
+    /// Degrees.
+    pub roll_deg: Option<f64>,
+    /// Degrees.
+    pub pitch_deg: Option<f64>,
+    /// Degrees.
+    pub yaw_deg: Option<f64>,
+    /// Metres, up and down.
+    pub heave_m: Option<f64>,
+    /// Metres, to the sides.
+    pub drift_m: Option<f64>,
 }
 
 /// The form of a way.

@@ -53,6 +53,17 @@ pub struct Sonar {
     pub yaw_deg: Option<Said<Amount>>,
 }
 
+/// What is written besides what is always written.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Output {
+    /// Kind of the recipe's `output.raw`: `exr`.
+    pub raw: Option<Said<String>>,
+    /// `polar`, `fan` or both, where not both are wanted.
+    pub views: Option<Said<Vec<String>>>,
+    /// Kind of the recipe's `output.pack`: `tar`.
+    pub pack: Option<Said<String>>,
+}
+
 /// Shares of the frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Splits {

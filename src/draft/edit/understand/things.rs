@@ -12,7 +12,9 @@ use crate::draft::read::number::number_at;
 use crate::draft::read::token::Kind;
 use crate::draft::read::vocabulary::{Vague, vocabulary};
 use crate::draft::wish::{Amount, Count, Stand};
-use crate::draft::{Known, Problem};
+#[cfg(test)]
+use crate::draft::Known;
+use crate::draft::Problem;
 
 /// Longest name of a thing, tokens.
 const LONGEST: usize = 5;
