@@ -16,6 +16,7 @@ mod diff;
 mod draft;
 mod finish;
 mod job;
+mod llm;
 mod plan;
 mod preview;
 mod progress;
