@@ -1,4 +1,4 @@
-//! Ground tackle: anchors, chain, mooring block, crane hook.
+//! Ground tackle: anchors, chain, mooring block, mooring buoy, crane hook.
 
 use ensonify::math::real::{atan2, cos, degrees, radians, sin};
 use glam::DVec3;
@@ -6,11 +6,11 @@ use glam::DVec3;
 use super::curve::{Point, arc, circle, ellipse, interpolate, rounded_rectangle, spline};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{Path, capped, cuboid, cylinder, icosphere, lathe, rod, sweep, torus};
+use super::shape::{Path, capped, cuboid, cylinder, icosphere, lathe, lathe_ring, rod, sweep, torus};
 use super::solid::{Axis, Solid, turn};
 
 pub fn all() -> Vec<Object> {
-    vec![anchor(), stockless_anchor(), chain(), mooring_block(), crane_hook()]
+    vec![anchor(), stockless_anchor(), chain(), mooring_block(), crane_hook(), mooring_buoy()]
 }
 
 /// An admiralty anchor, shank 1.7 m, as it comes to rest: on the lower bill and the two ends of the stock.
@@ -239,6 +239,27 @@ fn crane_hook() -> Object {
         parts: vec![
             Part::new("hook", Material::Steel, [hook, eye, ring]),
             Part::new("latch", Material::Steel, [latch]),
+        ],
+    }
+}
+
+/// A mooring buoy sunk on its side: a foam-filled ball of 0.7 m with a belt, a rod through it and an eye at either end.
+fn mooring_buoy() -> Object {
+    let ball: Vec<Point> = arc([0.0, 0.0], 0.35, [-90.0, 90.0], 24);
+    let belt = lathe_ring(&[[0.335, -0.04], [0.375, -0.035], [0.375, 0.035], [0.335, 0.04]], 52);
+    let plate = |z: f64| cylinder(0.09, [z - 0.008, z + 0.008], 28);
+    let eye = |z: f64| torus(0.045, 0.020, [20, 8]).turned(Axis::X, 90.0).at(0.0, 0.0, z);
+    let metal = vec![cylinder(0.016, [-0.42, 0.42], 14), plate(0.352), plate(-0.352), eye(0.455), eye(-0.455)];
+    let tipped = |solid: Solid| solid.turned(Axis::Y, 72.0);
+    Object {
+        uid: "mooring-buoy",
+        name: "mooring buoy",
+        label: "buoy",
+        tags: "float;mooring;marker;debris;infrastructure",
+        parts: vec![
+            Part::new("ball", Material::Plastic, [tipped(lathe(&ball, 48))]),
+            Part::new("belt", Material::Rubber, [tipped(belt)]),
+            Part::new("rod and eyes", Material::Steel, metal.into_iter().map(tipped).collect::<Vec<_>>()),
         ],
     }
 }

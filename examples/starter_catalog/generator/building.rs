@@ -1,16 +1,26 @@
-//! Things built with: cinder block, pipes, valve, ladder, traffic cone, tetrapod.
+//! Things built with: cinder blocks, pipes, valve, ladders, traffic cone, tetrapod.
 
 use ensonify::math::real::{acos, cos, degrees, radians, sin};
 use glam::DVec3;
 
-use super::curve::{Point, circle, rounded_rectangle};
+use super::curve::{Point, circle, ellipse, rounded_rectangle};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{capped, cuboid, cylinder, dome, lathe, lathe_ring, rod, torus};
+use super::shape::{Path, capped, cuboid, cylinder, dome, lathe, lathe_ring, rod, sweep, torus};
 use super::solid::{Axis, Solid};
 
 pub fn all() -> Vec<Object> {
-    vec![cinder_block(), pipe(), concrete_pipe(), valve(), ladder(), traffic_cone(), tetrapod()]
+    vec![
+        cinder_block(),
+        pipe(),
+        concrete_pipe(),
+        valve(),
+        ladder(),
+        traffic_cone(),
+        tetrapod(),
+        wooden_ladder(),
+        broken_block(),
+    ]
 }
 
 /// A hollow concrete block, 390 × 190 × 190 mm: two cores through it, hollowed ends.
@@ -241,5 +251,72 @@ fn tetrapod() -> Object {
         label: "tetrapod",
         tags: "breakwater;armour unit;concrete;infrastructure",
         parts: vec![Part::new("legs", Material::Concrete, legs)],
+    }
+}
+
+/// A wooden ladder, 2.4 m, eight round rungs in tapered rails, lying flat.
+fn wooden_ladder() -> Object {
+    let rail = |side: f64| {
+        let from = [-1.2, side * 0.22, 0.0];
+        sweep(&[DVec3::from_array(from), DVec3::new(1.2, side * 0.17, 0.0)], Path::Open, DVec3::Y, |_| {
+            rounded_rectangle(0.034, 0.062, 0.008, 3)
+        })
+    };
+    let rungs = (0..8).map(|i| {
+        let x = -1.02 + 0.29 * f64::from(i);
+        let half = 0.195 - 0.025 * x / 1.2;
+        rod([x, -half, 0.0], [x, half, 0.0], 0.016, 14)
+    });
+    Object {
+        uid: "ladder-wooden",
+        name: "wooden ladder",
+        label: "ladder",
+        tags: "wooden ladder;debris;harbour",
+        parts: vec![
+            Part::new("rails", Material::Wood, [-1.0, 1.0].map(rail)),
+            Part::new("rungs", Material::Wood, rungs.collect::<Vec<_>>()),
+        ],
+    }
+}
+
+/// Half a hollow concrete block, broken across its core.
+fn broken_block() -> Object {
+    let outline = [
+        [-0.095, -0.095],
+        [0.112, -0.095],
+        [0.128, -0.084],
+        [0.121, -0.070],
+        [0.108, -0.063],
+        [0.040, -0.062],
+        [0.030, -0.052],
+        [0.030, 0.052],
+        [0.040, 0.062],
+        [0.090, 0.063],
+        [0.079, 0.074],
+        [0.094, 0.083],
+        [0.086, 0.095],
+        [-0.095, 0.095],
+    ];
+    let core: Vec<Point> = rounded_rectangle(0.080, 0.125, 0.025, 4).iter().map(|p| [p[0] - 0.030, p[1]]).collect();
+    // The break leans: it is no saw cut.
+    let block = prism(&outline, &[core], [0.0, 0.19])
+        .mapped(|p| DVec3::new(if p.x > 0.06 { p.x - 0.22 * (p.z - 0.08) * (p.y + 0.2) } else { p.x }, p.y, p.z));
+    let rubble = [[0.20, 0.05, 0.05], [0.24, -0.06, 0.035], [0.17, -0.13, 0.028]].map(|[x, y, size]| {
+        let ring = |radius: f64, z: f64| -> Vec<DVec3> {
+            ellipse(radius, 0.7 * radius, 9).iter().map(|p| DVec3::new(p[0] + x, p[1] + y + 0.2 * z, z)).collect()
+        };
+        capped(&[
+            ring(0.8 * size, 0.0),
+            ring(size, 0.4 * size),
+            ring(0.9 * size, 0.8 * size),
+            ring(0.5 * size, 1.1 * size),
+        ])
+    });
+    Object {
+        uid: "cinder-block-broken",
+        name: "broken cinder block",
+        label: "cinder-block",
+        tags: "concrete block;breeze block;masonry;debris;rubble",
+        parts: vec![Part::new("block", Material::Concrete, [block]), Part::new("rubble", Material::Concrete, rubble)],
     }
 }

@@ -68,7 +68,8 @@ Use it in a recipe with `pick: {catalog: starter, tags: [tire]}`.
 
 const TAIL: &str = "
 - `catalog.csv` holds names, labels, tags, sizes, materials and licences, `catalog.lock` the hash of each model.
-- Models are glTF 2.0 binary: metres, y up, z front, lowest point at y = 0, in the pose in which the object lies on the bottom.
+- Models are glTF 2.0 binary: metres, y up, z front, lowest point at y = 0, in the pose in which the object lies on
+  the bottom; divers, vehicles and animals that swim do so level, along x.
   Each part is a closed surface of its own (parts may overlap) whose glTF material bears the name of an acoustic material.
 
 The files are generated, byte for byte the same everywhere, and `tests/starter_catalog.rs` compares them with the generator:

@@ -3,20 +3,33 @@
 //! One module a family of objects; `shape`, `prism`, `curve` and `noise` draw surfaces, `glb` and `listing` write files.
 
 mod anchors;
+mod animals;
+mod body;
 mod building;
+mod cargo;
 mod containers;
+mod craft;
 mod curve;
 mod gear;
 mod glb;
+mod household;
+mod lines;
 mod listing;
+mod more_containers;
+mod munitions;
 mod noise;
 mod object;
 mod ordnance;
+mod people;
 mod prism;
+mod reef;
+mod robots;
 mod rocks;
 mod shape;
+mod shells;
 mod solid;
-mod variants;
+mod targets;
+mod timber;
 mod vessels;
 mod wheels;
 mod wrecks;
@@ -32,12 +45,24 @@ use anyhow::Result;
 pub fn files() -> Result<BTreeMap<String, Vec<u8>>> {
     let mut objects = [
         anchors::all(),
+        animals::all(),
         building::all(),
+        cargo::all(),
         containers::all(),
+        craft::all(),
         gear::all(),
+        household::all(),
+        lines::all(),
+        more_containers::all(),
+        munitions::all(),
         ordnance::all(),
+        people::all(),
+        reef::all(),
+        robots::all(),
         rocks::all(),
-        variants::all(),
+        shells::all(),
+        targets::all(),
+        timber::all(),
         vessels::all(),
         wheels::all(),
         wrecks::all(),

@@ -42,6 +42,7 @@ pub enum Material {
     Plastic,
     Rope,
     Flesh,
+    Plant,
 }
 
 impl Material {
@@ -61,6 +62,7 @@ impl Material {
             Self::Plastic => "plastic",
             Self::Rope => "rope",
             Self::Flesh => "flesh",
+            Self::Plant => "plant",
         }
     }
 
@@ -80,6 +82,7 @@ impl Material {
             Self::Plastic => [0.85, 0.27, 0.05, 1.0],
             Self::Rope => [0.52, 0.42, 0.26, 1.0],
             Self::Flesh => [0.55, 0.48, 0.45, 1.0],
+            Self::Plant => [0.28, 0.33, 0.12, 1.0],
         }
     }
 

@@ -37,7 +37,9 @@ pub fn prism(outline: &[Point], holes: &[Vec<Point>], heights: [f64; 2]) -> Soli
     Solid::outward(positions, triangles)
 }
 
-fn area(outline: &[Point]) -> f64 {
+/// Area inside an outline, square metres: positive if it runs counter-clockwise.
+#[must_use]
+pub fn area(outline: &[Point]) -> f64 {
     let next = outline.iter().cycle().skip(1);
     outline.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
 }

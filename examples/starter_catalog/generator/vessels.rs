@@ -1,15 +1,16 @@
-//! Parts of vessels: propeller, rowing boat.
+//! Small boats and parts of vessels: propellers, rowing boat, dinghy.
 
 use ensonify::math::real::{atan2, cos, pow, sin};
 use glam::DVec3;
 
-use super::curve::{Point, interpolate, smooth};
+use super::curve::{Point, circle, interpolate, smooth, spline};
 use super::object::{Material, Object, Part};
-use super::shape::{Ends, capped, cuboid, dome, lathe, loft, plank, torus};
+use super::prism::prism;
+use super::shape::{Ends, Path, capped, cuboid, dome, lathe, loft, plank, sweep, torus};
 use super::solid::{Axis, Solid};
 
 pub fn all() -> Vec<Object> {
-    vec![propeller(), rowing_boat()]
+    vec![propeller(), rowing_boat(), boat_propeller(), dinghy()]
 }
 
 /// The blades of a screw about z: tip and hub radius in metres, pitch in metres a turn (negative: left-handed).
@@ -178,4 +179,71 @@ fn station(t: f64) -> Vec<DVec3> {
     let mut ring = hull_line(t, 0.0);
     ring.extend(hull_line(t, 0.014).iter().rev());
     ring
+}
+
+/// A three-bladed propeller of an outboard motor, 0.38 m, lying on its blades.
+fn boat_propeller() -> Object {
+    let hub = [
+        [0.0, -0.075],
+        [0.020, -0.075],
+        [0.022, -0.070],
+        [0.056, -0.070],
+        [0.060, -0.050],
+        [0.056, 0.050],
+        [0.048, 0.075],
+        [0.0, 0.075],
+    ];
+    Object {
+        uid: "propeller-outboard",
+        name: "outboard propeller",
+        label: "propeller",
+        tags: "screw;boat;three-blade;vessel;debris",
+        parts: vec![
+            Part::new("blades", Material::Aluminium, screw(0.19, 0.055, 0.43, 3, 14)),
+            Part::new("hub", Material::Aluminium, [lathe(&hub, 32)]),
+        ],
+    }
+}
+
+/// An inflatable dinghy, 2.7 × 1.5 m: one tube about the bow, transom, floor boards, thwart.
+fn dinghy() -> Object {
+    let radius = 0.20;
+    let mut path: Vec<[f64; 3]> = vec![[-1.35, 0.55, 0.22], [-0.6, 0.55, 0.20], [0.2, 0.55, 0.20]];
+    path.extend([[0.75, 0.46, 0.23], [1.08, 0.22, 0.29], [1.15, 0.0, 0.32]]);
+    let mirrored: Vec<[f64; 3]> = path[..5].iter().rev().map(|p| [p[0], -p[1], p[2]]).collect();
+    path.extend(mirrored);
+    let path = spline(&path, 5);
+    let last = path.len() - 1;
+    let side_tube = sweep(&path, Path::Open, DVec3::Z, |i| {
+        // Pointed behind the transom.
+        let end = (i.min(last - i) as f64 / 4.0).min(1.0);
+        circle(radius * (0.35 + 0.65 * end), 20)
+    });
+    let transom = cuboid([0.035, 0.78, 0.36], [-1.05, 0.0, 0.26]);
+    let boards = (0..4).map(|i| cuboid([0.44, 0.74, 0.018], [-0.80 + 0.46 * f64::from(i), 0.0, 0.095]));
+    let thwart = cuboid([0.24, 0.86, 0.025], [-0.25, 0.0, 0.33]);
+    let floor = prism(
+        &[
+            [-1.05, -0.45],
+            [0.35, -0.45],
+            [0.80, -0.30],
+            [1.0, -0.05],
+            [1.0, 0.05],
+            [0.80, 0.30],
+            [0.35, 0.45],
+            [-1.05, 0.45],
+        ],
+        &[],
+        [0.060, 0.072],
+    );
+    Object {
+        uid: "dinghy",
+        name: "inflatable dinghy",
+        label: "dinghy",
+        tags: "boat;inflatable boat;rubber boat;wreck;vessel",
+        parts: vec![
+            Part::new("tube and floor", Material::Rubber, [side_tube, floor]),
+            Part::new("transom, boards, thwart", Material::Wood, boards.chain([transom, thwart]).collect::<Vec<_>>()),
+        ],
+    }
 }

@@ -1,4 +1,4 @@
-//! Things on wheels: tire, car wheel, bicycle, shopping trolley.
+//! Things on wheels: tires, car wheel, bicycle, shopping trolley.
 
 use ensonify::math::real::{cos, radians, sin};
 use glam::DVec3;
@@ -10,7 +10,7 @@ use super::shape::{capped, cuboid, cylinder, lathe, lathe_ring, plank, rod, toru
 use super::solid::{Axis, Solid, turn};
 
 pub fn all() -> Vec<Object> {
-    vec![tire(), car_wheel(), bicycle(), shopping_trolley()]
+    vec![tire(), car_wheel(), bicycle(), shopping_trolley(), truck_tire()]
 }
 
 /// Half the section of a 205/55 R16 tyre as (radius, height) from the inside of the bead over the sidewall to the crown.
@@ -35,7 +35,8 @@ const TYRE_OUTSIDE: [Point; 16] = [
 const TYRE_INSIDE: [Point; 5] = [[0.3000, 0.0], [0.2970, 0.050], [0.2840, 0.0820], [0.2480, 0.0900], [0.2150, 0.0750]];
 
 /// The tyre about z. Every third row is cut down at the shoulders, which leaves the lugs of the tread.
-fn tyre(around: usize) -> Solid {
+#[must_use]
+pub fn tyre(around: usize) -> Solid {
     let mirror = |p: &Point| [p[0], -p[1]];
     let mut section: Vec<Point> = TYRE_OUTSIDE.to_vec();
     section.extend(TYRE_OUTSIDE.iter().rev().skip(1).map(mirror));
@@ -278,4 +279,40 @@ fn trolley_chassis() -> Vec<Solid> {
 fn castor([x, y]: Point) -> Vec<Solid> {
     let leg = |side: f64| plank([x + 0.02, y + side, 0.14], [x, y + side, 0.0625], DVec3::Y, [0.004, 0.035]);
     vec![cylinder(0.012, [0.13, 0.17], 8).at(x + 0.03, y, 0.0), leg(-0.02), leg(0.02)]
+}
+
+/// A lorry's tire 295/80 R22.5, 1.04 m across, with three grooves, lying flat.
+fn truck_tire() -> Object {
+    let half: [Point; 18] = [
+        [0.290, 0.090],
+        [0.288, 0.118],
+        [0.305, 0.130],
+        [0.350, 0.146],
+        [0.410, 0.149],
+        [0.460, 0.142],
+        [0.490, 0.132],
+        [0.508, 0.112],
+        [0.514, 0.085],
+        [0.500, 0.080],
+        [0.500, 0.066],
+        [0.516, 0.062],
+        [0.519, 0.030],
+        [0.503, 0.026],
+        [0.503, 0.012],
+        [0.520, 0.008],
+        [0.520, 0.000],
+        [0.520, -0.004],
+    ];
+    let mut section: Vec<Point> = half[..17].to_vec();
+    section.extend(half[..16].iter().rev().map(|p| [p[0], -p[1]]));
+    let inside: [Point; 5] = [[0.310, -0.100], [0.380, -0.130], [0.470, -0.110], [0.490, -0.050], [0.492, 0.0]];
+    section.extend(inside);
+    section.extend(inside.iter().rev().skip(1).map(|p| [p[0], -p[1]]));
+    Object {
+        uid: "truck-tire",
+        name: "truck tire",
+        label: "tire",
+        tags: "tyre;truck;lorry;vehicle;debris;pollution",
+        parts: vec![Part::new("tyre", Material::Rubber, [lathe_ring(&section, 56)])],
+    }
 }

@@ -1,4 +1,4 @@
-//! What lies or swims in open water: the wreck of a coaster, the wreck of an aircraft, a salmon.
+//! Wrecks of steel and aluminium: a coaster, an aircraft.
 
 use ensonify::math::real::{cos, radians, sin};
 use glam::DVec3;
@@ -6,12 +6,12 @@ use glam::DVec3;
 use super::curve::{Point, circle, interpolate, rectangle, smooth};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{Ends, capped, cuboid, cylinder, lathe_ring, loft, plank, rod, tube};
+use super::shape::{Ends, capped, cuboid, cylinder, lathe_ring, loft, rod, tube};
 use super::solid::{Axis, Solid};
 use super::vessels::screw;
 
 pub fn all() -> Vec<Object> {
-    vec![ship(), aircraft(), salmon()]
+    vec![ship(), aircraft()]
 }
 
 /// Length, greatest half breadth and depth of the coaster, metres.
@@ -171,34 +171,6 @@ fn aircraft() -> Object {
             Part::new("body, wings, tail", Material::Aluminium, hull),
             Part::new("canopy", Material::Glass, vec![lying(canopy)]),
             Part::new("propeller", Material::Steel, blades.into_iter().map(lying).collect::<Vec<_>>()),
-        ],
-    }
-}
-
-/// An Atlantic salmon, 0.75 m, swimming along x.
-fn salmon() -> Object {
-    let outline = smooth(
-        &[[-0.31, 0.022], [-0.24, 0.03], [-0.1, 0.068], [0.06, 0.082], [0.2, 0.074], [0.3, 0.048], [0.355, 0.018]],
-        4,
-    );
-    let rings: Vec<Vec<DVec3>> = outline
-        .iter()
-        .map(|&[x, r]| circle(r, 16).into_iter().map(|[y, z]| DVec3::new(x, 0.55 * y, z)).collect())
-        .collect();
-    let fin = |outline: &[Point]| prism(outline, &[], [-0.004, 0.004]).turned(Axis::X, 90.0);
-    let tail =
-        fin(&[[-0.3, -0.02], [-0.395, -0.105], [-0.365, 0.0], [-0.395, 0.105], [-0.3, 0.02]].map(|[x, y]| [x, -y]));
-    let back = fin(&[[0.02, 0.125], [-0.05, 0.115], [-0.06, 0.062], [0.08, 0.07]]);
-    let belly = fin(&[[-0.13, -0.055], [-0.21, -0.033], [-0.2, -0.085]].map(|[x, y]| [x, y]));
-    let side = plank([0.2, 0.035, -0.03], [0.12, 0.1, -0.075], DVec3::X, [0.05, 0.006]).mirrored(Axis::Y);
-    Object {
-        uid: "salmon",
-        name: "Atlantic salmon",
-        label: "fish",
-        tags: "salmon;animal;fauna;farmed fish",
-        parts: vec![
-            Part::new("body", Material::Flesh, [capped(&rings)]),
-            Part::new("fins", Material::Flesh, [vec![tail, back, belly], side.into()].concat()),
         ],
     }
 }

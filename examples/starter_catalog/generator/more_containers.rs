@@ -1,73 +1,29 @@
-//! Second kinds of common things, so that one label is more than one shape.
+//! Second kinds of containers, so that one label is more than one shape: pail, crates, drum, bottles, amphora, cylinder.
 
 use glam::DVec3;
 
-use super::curve::{Point, arc, circle, ellipse, rounded_rectangle, smooth, spline};
+use super::curve::{Point, arc, ellipse, rounded_rectangle, smooth, spline};
 use super::object::{Material, Object, Part};
 use super::prism::prism;
-use super::shape::{Path, capped, cuboid, cylinder, dome, lathe, lathe_ring, rod, sweep, torus, tube};
+use super::shape::{Path, capped, cuboid, cylinder, dome, lathe, sweep, torus, tube};
 use super::solid::{Axis, Solid};
-use super::vessels::screw;
 
 pub fn all() -> Vec<Object> {
     vec![
-        truck_tire(),
         beer_bottle(),
         zinc_bucket(),
         fish_crate(),
         round_amphora(),
-        boat_propeller(),
-        light_torpedo(),
-        mortar_bomb(),
         gas_cylinder(),
-        wooden_ladder(),
         pallet(),
-        mooring_buoy(),
         plastic_drum(),
-        broken_block(),
         jerrycan(),
-        dinghy(),
     ]
 }
 
+/// Along x instead of upright.
 fn lying(solid: Solid) -> Solid {
     solid.turned(Axis::Y, 90.0)
-}
-
-/// A lorry's tire 295/80 R22.5, 1.04 m across, with three grooves, lying flat.
-fn truck_tire() -> Object {
-    let half: [Point; 18] = [
-        [0.290, 0.090],
-        [0.288, 0.118],
-        [0.305, 0.130],
-        [0.350, 0.146],
-        [0.410, 0.149],
-        [0.460, 0.142],
-        [0.490, 0.132],
-        [0.508, 0.112],
-        [0.514, 0.085],
-        [0.500, 0.080],
-        [0.500, 0.066],
-        [0.516, 0.062],
-        [0.519, 0.030],
-        [0.503, 0.026],
-        [0.503, 0.012],
-        [0.520, 0.008],
-        [0.520, 0.000],
-        [0.520, -0.004],
-    ];
-    let mut section: Vec<Point> = half[..17].to_vec();
-    section.extend(half[..16].iter().rev().map(|p| [p[0], -p[1]]));
-    let inside: [Point; 5] = [[0.310, -0.100], [0.380, -0.130], [0.470, -0.110], [0.490, -0.050], [0.492, 0.0]];
-    section.extend(inside);
-    section.extend(inside.iter().rev().skip(1).map(|p| [p[0], -p[1]]));
-    Object {
-        uid: "truck-tire",
-        name: "truck tire",
-        label: "tire",
-        tags: "tyre;truck;lorry;vehicle;debris;pollution",
-        parts: vec![Part::new("tyre", Material::Rubber, [lathe_ring(&section, 56)])],
-    }
 }
 
 /// A long-necked beer bottle, 61 × 230 mm, open and hollow, on its side.
@@ -200,88 +156,6 @@ fn round_amphora() -> Object {
     }
 }
 
-/// A three-bladed propeller of an outboard motor, 0.38 m, lying on its blades.
-fn boat_propeller() -> Object {
-    let hub = [
-        [0.0, -0.075],
-        [0.020, -0.075],
-        [0.022, -0.070],
-        [0.056, -0.070],
-        [0.060, -0.050],
-        [0.056, 0.050],
-        [0.048, 0.075],
-        [0.0, 0.075],
-    ];
-    Object {
-        uid: "propeller-outboard",
-        name: "outboard propeller",
-        label: "propeller",
-        tags: "screw;boat;three-blade;vessel;debris",
-        parts: vec![
-            Part::new("blades", Material::Aluminium, screw(0.19, 0.055, 0.43, 3, 14)),
-            Part::new("hub", Material::Aluminium, [lathe(&hub, 32)]),
-        ],
-    }
-}
-
-/// A lightweight torpedo of the Mk 46 kind, 0.324 × 2.6 m: blunt nose, tapered tail, four fins, two screws.
-fn light_torpedo() -> Object {
-    let mut profile = vec![[0.0, 0.0], [0.070, 0.0]];
-    profile.extend(smooth(&[[0.105, 0.010], [0.140, 0.045], [0.158, 0.100], [0.162, 0.180]], 3));
-    profile.extend([
-        [0.162, 0.62],
-        [0.160, 0.625],
-        [0.160, 0.635],
-        [0.162, 0.64],
-        [0.162, 1.30],
-        [0.160, 1.305],
-        [0.160, 1.315],
-        [0.162, 1.32],
-    ]);
-    profile.extend(smooth(&[[0.162, 1.95], [0.152, 2.10], [0.120, 2.28], [0.080, 2.42], [0.055, 2.50]], 3));
-    profile.extend([[0.045, 2.58], [0.0, 2.595]]);
-    let fin = prism(&[[0.06, 2.20], [0.145, 2.12], [0.160, 2.34], [0.160, 2.44], [0.06, 2.46]], &[], [-0.005, 0.005])
-        .turned(Axis::X, 90.0)
-        .around(4);
-    let screws = [2.49, 2.55].into_iter().zip([0.30, -0.30]);
-    let screws: Vec<Solid> = screws
-        .flat_map(|(z, pitch)| screw(0.125, 0.05, pitch, 5, 8).into_iter().map(move |blade| blade.at(0.0, 0.0, z)))
-        .collect();
-    Object {
-        uid: "torpedo-light",
-        name: "lightweight torpedo",
-        label: "torpedo",
-        tags: "ordnance;uxo;munition;underwater vehicle",
-        parts: vec![
-            Part::new("body", Material::Steel, [lying(lathe(&profile, 44))]),
-            Part::new("fins", Material::Steel, fin.into_iter().map(lying).collect::<Vec<_>>()),
-            Part::new("screws", Material::Aluminium, screws.into_iter().map(lying).collect::<Vec<_>>()),
-        ],
-    }
-}
-
-/// An 81 mm mortar bomb with its fuze and six tail fins, 0.43 m, on its side.
-fn mortar_bomb() -> Object {
-    let mut profile = vec![[0.0, 0.0], [0.012, 0.0], [0.016, 0.010], [0.022, 0.050]];
-    profile.extend(smooth(&[[0.024, 0.055], [0.034, 0.100], [0.040, 0.150]], 3));
-    profile.extend([[0.0405, 0.190], [0.039, 0.193], [0.039, 0.199], [0.0405, 0.202]]);
-    profile.extend(smooth(&[[0.0405, 0.215], [0.036, 0.260], [0.024, 0.310], [0.013, 0.340]], 3));
-    profile.extend([[0.012, 0.425], [0.0, 0.427]]);
-    let fin =
-        prism(&[[0.008, 0.355], [0.026, 0.372], [0.038, 0.376], [0.038, 0.432], [0.008, 0.426]], &[], [-0.001, 0.001]);
-    let fins = fin.turned(Axis::X, 90.0).around(6).into_iter().map(lying);
-    Object {
-        uid: "mortar-bomb",
-        name: "mortar bomb, 81 mm",
-        label: "shell",
-        tags: "ordnance;uxo;projectile;mortar shell;unexploded ordnance;munition",
-        parts: vec![
-            Part::new("body", Material::Steel, [lying(lathe(&profile, 36))]),
-            Part::new("fins", Material::Aluminium, fins.collect::<Vec<_>>()),
-        ],
-    }
-}
-
 /// A 50 litre industrial gas cylinder with its cap, 0.23 × 1.64 m, on its side.
 fn gas_cylinder() -> Object {
     let mut body: Vec<Point> = vec![[0.0, 0.030], [0.060, 0.020], [0.085, 0.0], [0.105, 0.010]];
@@ -298,31 +172,6 @@ fn gas_cylinder() -> Object {
         parts: vec![
             Part::new("cylinder", Material::Steel, [lying(lathe(&body, 44))]),
             Part::new("cap", Material::Steel, [lathe(&cap, 32), ring].map(lying)),
-        ],
-    }
-}
-
-/// A wooden ladder, 2.4 m, eight round rungs in tapered rails, lying flat.
-fn wooden_ladder() -> Object {
-    let rail = |side: f64| {
-        let from = [-1.2, side * 0.22, 0.0];
-        sweep(&[DVec3::from_array(from), DVec3::new(1.2, side * 0.17, 0.0)], Path::Open, DVec3::Y, |_| {
-            rounded_rectangle(0.034, 0.062, 0.008, 3)
-        })
-    };
-    let rungs = (0..8).map(|i| {
-        let x = -1.02 + 0.29 * f64::from(i);
-        let half = 0.195 - 0.025 * x / 1.2;
-        rod([x, -half, 0.0], [x, half, 0.0], 0.016, 14)
-    });
-    Object {
-        uid: "ladder-wooden",
-        name: "wooden ladder",
-        label: "ladder",
-        tags: "wooden ladder;debris;harbour",
-        parts: vec![
-            Part::new("rails", Material::Wood, [-1.0, 1.0].map(rail)),
-            Part::new("rungs", Material::Wood, rungs.collect::<Vec<_>>()),
         ],
     }
 }
@@ -354,27 +203,6 @@ fn pallet() -> Object {
     }
 }
 
-/// A mooring buoy sunk on its side: a foam-filled ball of 0.7 m with a belt, a rod through it and an eye at either end.
-fn mooring_buoy() -> Object {
-    let ball: Vec<Point> = arc([0.0, 0.0], 0.35, [-90.0, 90.0], 24);
-    let belt = lathe_ring(&[[0.335, -0.04], [0.375, -0.035], [0.375, 0.035], [0.335, 0.04]], 52);
-    let plate = |z: f64| cylinder(0.09, [z - 0.008, z + 0.008], 28);
-    let eye = |z: f64| torus(0.045, 0.020, [20, 8]).turned(Axis::X, 90.0).at(0.0, 0.0, z);
-    let metal = vec![cylinder(0.016, [-0.42, 0.42], 14), plate(0.352), plate(-0.352), eye(0.455), eye(-0.455)];
-    let tipped = |solid: Solid| solid.turned(Axis::Y, 72.0);
-    Object {
-        uid: "mooring-buoy",
-        name: "mooring buoy",
-        label: "buoy",
-        tags: "float;mooring;marker;debris;infrastructure",
-        parts: vec![
-            Part::new("ball", Material::Plastic, [tipped(lathe(&ball, 48))]),
-            Part::new("belt", Material::Rubber, [tipped(belt)]),
-            Part::new("rod and eyes", Material::Steel, metal.into_iter().map(tipped).collect::<Vec<_>>()),
-        ],
-    }
-}
-
 /// A 220 litre plastic drum with two bungs, 0.58 × 0.93 m, on its side.
 fn plastic_drum() -> Object {
     let mut profile: Vec<Point> = vec![[0.0, 0.020], [0.200, 0.012], [0.230, 0.0], [0.262, 0.008]];
@@ -400,48 +228,6 @@ fn plastic_drum() -> Object {
             Part::new("drum", Material::Plastic, [lying(lathe(&profile, 48))]),
             Part::new("bungs", Material::Plastic, [bung(0.17, 0.034), bung(-0.17, 0.034)].map(lying)),
         ],
-    }
-}
-
-/// Half a hollow concrete block, broken across its core.
-fn broken_block() -> Object {
-    let outline = [
-        [-0.095, -0.095],
-        [0.112, -0.095],
-        [0.128, -0.084],
-        [0.121, -0.070],
-        [0.108, -0.063],
-        [0.040, -0.062],
-        [0.030, -0.052],
-        [0.030, 0.052],
-        [0.040, 0.062],
-        [0.090, 0.063],
-        [0.079, 0.074],
-        [0.094, 0.083],
-        [0.086, 0.095],
-        [-0.095, 0.095],
-    ];
-    let core: Vec<Point> = rounded_rectangle(0.080, 0.125, 0.025, 4).iter().map(|p| [p[0] - 0.030, p[1]]).collect();
-    // The break leans: it is no saw cut.
-    let block = prism(&outline, &[core], [0.0, 0.19])
-        .mapped(|p| DVec3::new(if p.x > 0.06 { p.x - 0.22 * (p.z - 0.08) * (p.y + 0.2) } else { p.x }, p.y, p.z));
-    let rubble = [[0.20, 0.05, 0.05], [0.24, -0.06, 0.035], [0.17, -0.13, 0.028]].map(|[x, y, size]| {
-        let ring = |radius: f64, z: f64| -> Vec<DVec3> {
-            ellipse(radius, 0.7 * radius, 9).iter().map(|p| DVec3::new(p[0] + x, p[1] + y + 0.2 * z, z)).collect()
-        };
-        capped(&[
-            ring(0.8 * size, 0.0),
-            ring(size, 0.4 * size),
-            ring(0.9 * size, 0.8 * size),
-            ring(0.5 * size, 1.1 * size),
-        ])
-    });
-    Object {
-        uid: "cinder-block-broken",
-        name: "broken cinder block",
-        label: "cinder-block",
-        tags: "concrete block;breeze block;masonry;debris;rubble",
-        parts: vec![Part::new("block", Material::Concrete, [block]), Part::new("rubble", Material::Concrete, rubble)],
     }
 }
 
@@ -491,49 +277,6 @@ fn jerrycan() -> Object {
             Part::new("can", Material::Steel, [body, seam]),
             Part::new("handles", Material::Steel, [-0.045, 0.0, 0.045].map(handle)),
             Part::new("spout", Material::Steel, [spout]),
-        ],
-    }
-}
-
-/// An inflatable dinghy, 2.7 × 1.5 m: one tube about the bow, transom, floor boards, thwart.
-fn dinghy() -> Object {
-    let radius = 0.20;
-    let mut path: Vec<[f64; 3]> = vec![[-1.35, 0.55, 0.22], [-0.6, 0.55, 0.20], [0.2, 0.55, 0.20]];
-    path.extend([[0.75, 0.46, 0.23], [1.08, 0.22, 0.29], [1.15, 0.0, 0.32]]);
-    let mirrored: Vec<[f64; 3]> = path[..5].iter().rev().map(|p| [p[0], -p[1], p[2]]).collect();
-    path.extend(mirrored);
-    let path = spline(&path, 5);
-    let last = path.len() - 1;
-    let side_tube = sweep(&path, Path::Open, DVec3::Z, |i| {
-        // Pointed behind the transom.
-        let end = (i.min(last - i) as f64 / 4.0).min(1.0);
-        circle(radius * (0.35 + 0.65 * end), 20)
-    });
-    let transom = cuboid([0.035, 0.78, 0.36], [-1.05, 0.0, 0.26]);
-    let boards = (0..4).map(|i| cuboid([0.44, 0.74, 0.018], [-0.80 + 0.46 * f64::from(i), 0.0, 0.095]));
-    let thwart = cuboid([0.24, 0.86, 0.025], [-0.25, 0.0, 0.33]);
-    let floor = prism(
-        &[
-            [-1.05, -0.45],
-            [0.35, -0.45],
-            [0.80, -0.30],
-            [1.0, -0.05],
-            [1.0, 0.05],
-            [0.80, 0.30],
-            [0.35, 0.45],
-            [-1.05, 0.45],
-        ],
-        &[],
-        [0.060, 0.072],
-    );
-    Object {
-        uid: "dinghy",
-        name: "inflatable dinghy",
-        label: "dinghy",
-        tags: "boat;inflatable boat;rubber boat;wreck;vessel",
-        parts: vec![
-            Part::new("tube and floor", Material::Rubber, [side_tube, floor]),
-            Part::new("transom, boards, thwart", Material::Wood, boards.chain([transom, thwart]).collect::<Vec<_>>()),
         ],
     }
 }
