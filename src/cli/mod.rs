@@ -17,6 +17,7 @@ mod draft;
 mod edit;
 mod finish;
 mod job;
+mod llm;
 mod plan;
 mod preview;
 mod progress;
