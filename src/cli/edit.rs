@@ -10,6 +10,7 @@ use anyhow::{Context as _, bail};
 use clap::Args;
 
 use super::Code;
+use super::llm::LlmArgs;
 use crate::recipe::Outside;
 use history::History;
 use propose::{Desk, Proposal};
@@ -52,6 +53,8 @@ pub struct Edit {
     /// The difference, the changes and notes as JSON with stable names
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    llm: LlmArgs,
 }
 
 impl Edit {
@@ -61,7 +64,7 @@ impl Edit {
         }
         let outside = if self.allow_outside { Outside::Allowed } else { Outside::Refused };
         let desk = Desk::open(&self.recipe, outside)?;
-        let proposal = desk.propose(self.prompt.as_deref(), &self.set)?;
+        let proposal = desk.propose_with(self.prompt.as_deref(), &self.set, self.llm.drafter()?.as_mut())?;
         desk.check(&proposal, self.output.as_deref().unwrap_or(&self.recipe))?;
         if self.json {
             let written = self.may_write()? && !proposal.is_nothing();
@@ -135,6 +138,6 @@ pub(super) fn asked(question: &str) -> anyhow::Result<String> {
 }
 
 /// The folder of a file: where its relative paths begin.
-fn folder_of(path: &Path) -> PathBuf {
+pub(super) fn folder_of(path: &Path) -> PathBuf {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned()
 }

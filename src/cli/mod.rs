@@ -11,6 +11,7 @@ macro_rules! say {
 }
 
 mod catalog;
+mod chat;
 mod check;
 mod diff;
 mod draft;
@@ -80,6 +81,7 @@ enum Verb {
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
     Edit(edit::Edit),
+    Chat(chat::Chat),
     Status(status::StatusVerb),
     Finish(finish::Finish),
     Verify(verify::Verify),
@@ -142,6 +144,7 @@ pub fn main() -> ExitCode {
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
         Verb::Edit(verb) => verb.run(),
+        Verb::Chat(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
         Verb::Finish(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),

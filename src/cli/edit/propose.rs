@@ -8,7 +8,9 @@ use similar::TextDiff;
 
 use super::folder_of;
 use super::history::History;
-use crate::draft::edit::{Act, Change, Revision, Subject, revise, understand};
+use crate::draft::model::ModelDrafter;
+use crate::draft::edit::{Act, Change, Revision, Subject, revise, understand, understand_with};
+use crate::draft::transcript::{Entry, Outcome, Transcript};
 use crate::draft::wish::{Said, Source};
 use crate::draft::{Known, Options, Prompt, Refusal};
 use crate::recipe::{Origin, Outside, parse};
@@ -35,6 +37,8 @@ pub(in crate::cli) struct Proposal {
     notes: Vec<String>,
     /// Words of the request that nothing was made of.
     unread: Vec<String>,
+    /// The conversation with a language model, if there was one.
+    entry: Option<Entry>,
 }
 
 impl Desk {
@@ -81,13 +85,25 @@ impl Desk {
         Ok(Self { path: path.to_owned(), outside, known, subject })
     }
 
-    /// What a request and options make of the recipe.
-    pub fn propose(&self, request: Option<&str>, sets: &[String]) -> anyhow::Result<Proposal> {
+    /// What a request and options make of the recipe, with a language model beside the built-in reader if one is given.
+    pub fn propose_with(
+        &self,
+        request: Option<&str>,
+        sets: &[String],
+        model: Option<&mut ModelDrafter>,
+    ) -> anyhow::Result<Proposal> {
         let prompt = Prompt::new(request.unwrap_or_default(), Options::default());
         let mut changes: Vec<Said<Change>> = Vec::new();
-        let mut unread = Vec::new();
+        let (mut unread, mut rounds, mut by) = (Vec::new(), Vec::new(), None);
         if request.is_some() {
-            let understood = understand(&prompt, &self.subject, &self.known)?;
+            let understood = match model {
+                Some(model) => {
+                    let understood = understand_with(&prompt, &self.subject, &self.known, model, &mut rounds);
+                    by = (!rounds.is_empty()).then(|| model.who());
+                    understood?
+                }
+                None => understand(&prompt, &self.subject, &self.known)?,
+            };
             unread.extend(understood.unread.iter().map(|words| prompt.words(words).to_owned()));
             changes.extend(understood.changes);
         }
@@ -108,21 +124,33 @@ impl Desk {
             done,
             notes,
             unread,
+            entry: by.map(|who| {
+                Entry::new("edit", &prompt, Outcome::recipe(subject.text())).by_model(who, rounds)
+            }),
         })
     }
 
     /// Refuses what `run` would refuse, as if it stood in a file.
     pub fn check(&self, proposal: &Proposal, path: &Path) -> anyhow::Result<Project> {
-        let given = Given { path, sets: &[], outside: self.outside };
-        let fault = "the changed recipe would not run, and nothing was written";
-        let project = Project::load_text(&given, &proposal.after).context(fault)?;
-        project.try_corners().context(fault)?;
+        self.checked(&proposal.after, path).context("the changed recipe would not run, and nothing was written")
+    }
+
+    /// As [`Self::check`], of any text.
+    pub fn checked(&self, text: &str, path: &Path) -> anyhow::Result<Project> {
+        let project = Project::load_text(&Given { path, sets: &[], outside: self.outside }, text)?;
+        project.try_corners()?;
         Ok(project)
     }
 
     /// Writes the recipe, with its history.
     pub fn write(&self, proposal: &Proposal) -> anyhow::Result<()> {
-        History::of(&self.path)?.change(&proposal.before, &proposal.after, &proposal.asked)
+        History::of(&self.path)?.change(&proposal.before, &proposal.after, &proposal.asked)?;
+        if let Some(entry) = &proposal.entry {
+            let transcript = Transcript::beside(&self.path);
+            let told = transcript.add(entry);
+            told.with_context(|| format!("cannot write {}", transcript.path().display()))?;
+        }
+        Ok(())
     }
 }
 

@@ -20,7 +20,7 @@ use crate::recipe::Node;
 
 pub(super) use objects::{has, label_of};
 pub use param::Param;
-pub(super) use values::{TURBIDITY, in_steps};
+pub(super) use values::{SEDIMENTS, TURBIDITY, in_steps, moved_at};
 
 /// One change of a recipe.
 #[derive(Clone, Debug, PartialEq)]

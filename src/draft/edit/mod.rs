@@ -6,6 +6,7 @@
 //! A change is of a closed kind, with numbers and names of models that are in a catalog. Knows nothing of files and terminals.
 
 mod act;
+mod ask;
 mod change;
 mod numbers;
 mod subject;
@@ -13,6 +14,7 @@ mod text;
 mod understand;
 
 pub use act::Act;
+pub use ask::{NotUnderstood, understand_with};
 pub use change::{Acts, Addition, Change, Held, Named, NumberOf, Param, Revision, Which, revise};
 pub use numbers::Move;
 pub use subject::{Subject, Whose};

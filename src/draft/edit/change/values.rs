@@ -12,7 +12,7 @@ use crate::recipe::path::{Step, item, steps, under};
 /// Kinds of suspended matter, ever murkier.
 pub(in crate::draft::edit) const TURBIDITY: [&str; 4] = ["clear", "coastal", "turbid", "very-turbid"];
 /// Sediments, ever finer.
-pub(super) const SEDIMENTS: [&str; 10] = [
+pub(in crate::draft::edit) const SEDIMENTS: [&str; 10] = [
     "rough-rock",
     "rock",
     "cobbles",
@@ -247,6 +247,14 @@ pub(super) fn moved(subject: &Subject, param: Param, how: Move) -> Result<Acts, 
             Some(if param.is_count() { whole(&moved) } else { moved })
         };
         Ok(acts.with(everywhere(subject, path, param.name(), &change)?))
+    })
+}
+
+/// The value at a path, moved.
+pub(in crate::draft::edit) fn moved_at(subject: &Subject, path: &str, how: Move) -> Result<Node, Problem> {
+    let there = subject.value(path).map(|(node, _)| node);
+    there.and_then(|node| numbers::moved(node, how)).ok_or_else(|| {
+        Problem::whole(format!("there is no number at `{path}`"), format!("say the whole value: --set {path}=…"))
     })
 }
 

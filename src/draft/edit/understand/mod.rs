@@ -50,7 +50,8 @@ pub fn understand(prompt: &Prompt, subject: &Subject, known: &Known) -> Result<U
     Ok(Understood { changes: reader.changes, unread })
 }
 
-const EXAMPLES: &str = "say for example “make the water murkier”, “add two barrels to the left of the wreck”, “pitch the sonar \
+/// What is told where nothing was understood.
+pub(in crate::draft::edit) const EXAMPLES: &str = "say for example “make the water murkier”, “add two barrels to the left of the wreck”, “pitch the sonar \
                         down 20°”, “range 15 m”; any value can be set with --set path=value";
 
 /// A request on its way to changes.
