@@ -73,7 +73,8 @@ impl Command {
     }
 }
 
-const HELP: &str = "say what is to change: \"make the water murkier\", \"add two barrels to the left of the wreck\", \"range 15 m\"
+const HELP: &str =
+    "say what is to change: \"make the water murkier\", \"add two barrels to the left of the wreck\", \"range 15 m\"
 undo, redo   the last change back, and again     check     what `run` would refuse, and what it makes
 show         the recipe                          preview   a picture of two frames
 diff         all that changed since the start    run       how to make the dataset

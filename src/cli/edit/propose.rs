@@ -8,8 +8,8 @@ use similar::TextDiff;
 
 use super::folder_of;
 use super::history::History;
-use crate::draft::model::ModelDrafter;
 use crate::draft::edit::{Act, Change, Revision, Subject, revise, understand, understand_with};
+use crate::draft::model::ModelDrafter;
 use crate::draft::transcript::{Entry, Outcome, Transcript};
 use crate::draft::wish::{Said, Source};
 use crate::draft::{Known, Options, Prompt, Refusal};
@@ -124,9 +124,7 @@ impl Desk {
             done,
             notes,
             unread,
-            entry: by.map(|who| {
-                Entry::new("edit", &prompt, Outcome::recipe(subject.text())).by_model(who, rounds)
-            }),
+            entry: by.map(|who| Entry::new("edit", &prompt, Outcome::recipe(subject.text())).by_model(who, rounds)),
         })
     }
 

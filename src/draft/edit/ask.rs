@@ -106,7 +106,8 @@ pub fn understand_with(
         rounds.push(Round::new(&reply.text, problems.clone()));
         messages.truncate(2);
         messages.push(Message { role: Role::Assistant, content: reply.text.chars().take(2000).collect() });
-        let content = format!("That is not right yet:\n- {}\nWrite the whole object again, mended.", problems.join("\n- "));
+        let content =
+            format!("That is not right yet:\n- {}\nWrite the whole object again, mended.", problems.join("\n- "));
         messages.push(Message { role: Role::User, content });
     }
     Err(refusal.into())
@@ -154,7 +155,9 @@ impl Asked<'_> {
         let value = || one.number.ok_or("`number` is missing".to_owned());
         match one.what {
             Do::Set => match (&one.word, one.number) {
-                (Some(said), None) if words_for(&path()?).contains(&said.as_str()) => Ok(Change::Set(path()?, word(said))),
+                (Some(said), None) if words_for(&path()?).contains(&said.as_str()) => {
+                    Ok(Change::Set(path()?, word(said)))
+                }
                 (Some(said), None) => Err(format!("`{said}` cannot stand at {}", path()?)),
                 (None, Some(value)) => Ok(Change::Set(path()?, number(value))),
                 _ => Err("one of `number` and `word` is needed".to_owned()),
@@ -170,14 +173,15 @@ impl Asked<'_> {
     }
 
     fn moved(&self, path: &str, how: Move) -> Result<Change, String> {
-        moved_at(self.subject, path, how).map(|value| Change::Set(path.to_owned(), value)).map_err(|problem| problem.what)
+        moved_at(self.subject, path, how)
+            .map(|value| Change::Set(path.to_owned(), value))
+            .map_err(|problem| problem.what)
     }
 
     fn placed(&self, one: &One) -> Result<Change, String> {
         let called = one.thing.clone().unwrap_or_default();
-        let found = find::models(&called, self.known).map_err(|near| {
-            format!("no catalog has `{called}`; there are {}", near.join(", "))
-        })?;
+        let found = find::models(&called, self.known)
+            .map_err(|near| format!("no catalog has `{called}`; there are {}", near.join(", ")))?;
         let thing = Named { called, label: found.label, models: found.models };
         let count = Count::Exactly(one.count.unwrap_or(1));
         Ok(Change::Add(Addition { thing, count, stands: Vec::new(), is_more: false }))
@@ -220,7 +224,9 @@ fn paths(subject: &Subject) -> Vec<String> {
 }
 
 fn numbers(node: &Node, path: &str, found: &mut Vec<String>) {
-    for (key, value) in node.entries().iter().filter(|(key, _)| !matches!(key.text.as_str(), "ensonify" | "sweep" | "let")) {
+    for (key, value) in
+        node.entries().iter().filter(|(key, _)| !matches!(key.text.as_str(), "ensonify" | "sweep" | "let"))
+    {
         let below = under(path, &key.text);
         if value.number().is_some() || value.is_distribution() {
             if !found.contains(&below) {

@@ -3,9 +3,12 @@
 //! Distributions are changed as a whole, looks and sweeps with them; a value that an included file or the defaults say is
 //! overridden in the recipe itself. What is ambiguous is asked back, never guessed.
 
+mod bottom;
 mod objects;
 mod param;
 mod pose;
+mod shift;
+mod totals;
 mod values;
 mod vehicle;
 
@@ -20,7 +23,8 @@ use crate::recipe::Node;
 
 pub(super) use objects::{has, label_of};
 pub use param::Param;
-pub(super) use values::{SEDIMENTS, TURBIDITY, in_steps, moved_at};
+pub(super) use shift::{SEDIMENTS, TURBIDITY, moved_at};
+pub(super) use values::in_steps;
 
 /// One change of a recipe.
 #[derive(Clone, Debug, PartialEq)]
@@ -171,16 +175,16 @@ impl Change {
             Self::Unset(path) => values::unset(subject, path),
             Self::To(param, amount) => values::to(subject, *param, amount),
             Self::Words(path, words) => values::set(subject, path, values::one_of(words)),
-            Self::Move(param, how) => values::moved(subject, *param, *how),
+            Self::Move(param, how) => shift::moved(subject, *param, *how),
             Self::Sweep(param, values) => values::sweep(subject, *param, values),
             Self::SweepWords(path, words) => values::sweep_words(subject, path, words),
-            Self::Murkier(steps) => values::murkier(subject, *steps),
-            Self::Muddier(steps) => values::muddier(subject, *steps),
-            Self::Rougher(factor) => values::rougher(subject, *factor),
-            Self::Shape(kind) => values::shape(subject, kind),
-            Self::Structure(kind) => values::structure(subject, kind.as_deref()),
-            Self::Images(images) => values::images(subject, *images),
-            Self::Splits(shares) => values::splits(subject, *shares),
+            Self::Murkier(steps) => shift::murkier(subject, *steps),
+            Self::Muddier(steps) => shift::muddier(subject, *steps),
+            Self::Rougher(factor) => bottom::rougher(subject, *factor),
+            Self::Shape(kind) => bottom::shape(subject, kind),
+            Self::Structure(kind) => bottom::structure(subject, kind.as_deref()),
+            Self::Images(images) => totals::images(subject, *images),
+            Self::Splits(shares) => totals::splits(subject, *shares),
             Self::Turn(degrees, held) => vehicle::turn(subject, *degrees, *held),
             Self::Pitch(degrees, held) => vehicle::pitch(subject, *degrees, *held),
             Self::Heading(degrees) => vehicle::heading(subject, *degrees),

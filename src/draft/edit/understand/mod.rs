@@ -4,6 +4,7 @@
 //! a place that cannot be found are asked back.
 
 mod amounts;
+mod counts;
 mod settings;
 mod stands;
 mod things;

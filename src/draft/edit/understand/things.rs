@@ -2,19 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use super::words::{Manner, Relation, Verb, lexicon};
+use super::counts::{Counted, count_is_said};
+use super::words::{Relation, Verb, lexicon};
 use super::{Reader, Step};
 use crate::catalog::words::words;
+#[cfg(test)]
+use crate::draft::Known;
+use crate::draft::Problem;
 use crate::draft::edit::change::{Addition, Change, Named, NumberOf, Which};
 use crate::draft::edit::numbers::Move;
 use crate::draft::find;
 use crate::draft::read::number::number_at;
 use crate::draft::read::token::Kind;
-use crate::draft::read::vocabulary::{Vague, vocabulary};
 use crate::draft::wish::{Amount, Count, Stand};
-#[cfg(test)]
-use crate::draft::Known;
-use crate::draft::Problem;
 
 /// Longest name of a thing, tokens.
 const LONGEST: usize = 5;
@@ -27,19 +27,6 @@ pub(super) struct Thing {
     pub end: usize,
     pub named: Result<Named, Vec<String>>,
     pub which: Which,
-}
-
-/// How many are said before a thing.
-#[derive(Default)]
-struct Counted {
-    end: usize,
-    count: Option<Count>,
-    /// "two more".
-    is_more: bool,
-    /// "the".
-    is_definite: bool,
-    /// "heap of".
-    manner: Option<Stand>,
 }
 
 impl Reader<'_> {
@@ -210,108 +197,6 @@ impl Reader<'_> {
         crate::draft::edit::change::has(self.subject, self.known, which)
     }
 
-    fn counted(&self) -> Counted {
-        self.counted_from(self.at)
-    }
-
-    /// Numbers and articles before a thing.
-    fn counted_from(&self, from: usize) -> Counted {
-        let mut counted = Counted { end: from, ..Counted::default() };
-        loop {
-            let at = counted.end;
-            let form = self.text.form(at);
-            if let Some(number) =
-                number_at(&self.text, at).filter(|number| counted.count.is_none() && is_count(number.value))
-            {
-                let upper = self.upper(at + number.tokens);
-                let low = number.value as u32;
-                counted.count =
-                    Some(upper.map_or(Count::Exactly(low), |(_, high)| Count::Between(low.min(high), low.max(high))));
-                counted.end = at + number.tokens + upper.map_or(0, |(tokens, _)| tokens);
-            } else if let Some((tokens, vague)) = self.vague(at).filter(|_| counted.count.is_none()) {
-                counted.count = Some(vague);
-                counted.end = at + tokens;
-            } else if let Some((tokens, Manner::Heap)) = self.phrase(&lexicon().stands, at) {
-                counted.manner = Some(Stand::Heap);
-                counted.end = at + tokens;
-            } else if let Some((tokens, Manner::School)) = self.phrase(&lexicon().stands, at) {
-                counted.manner = Some(Stand::School);
-                counted.end = at + tokens;
-            } else if matches!(
-                form,
-                "more" | "additional" | "further" | "extra" | "mehr" | "weitere" | "más" | "mas" | "plus" | "autre"
-            ) || matches!(form, "another" | "noch")
-            {
-                if form == "another" {
-                    counted.count = counted.count.or(Some(Count::Exactly(1)));
-                }
-                counted.is_more |= counted.count.is_some();
-                if !counted.is_more && form != "noch" {
-                    return counted;
-                }
-                counted.end = at + 1;
-            } else if matches!(form, "a" | "an") && counted.count.is_none() {
-                counted.count = Some(Count::Exactly(1));
-                counted.end = at + 1;
-            } else if matches!(
-                form,
-                "the"
-                    | "all"
-                    | "every"
-                    | "any"
-                    | "of"
-                    | "der"
-                    | "die"
-                    | "das"
-                    | "den"
-                    | "alle"
-                    | "el"
-                    | "la"
-                    | "los"
-                    | "las"
-                    | "le"
-                    | "les"
-                    | "todos"
-                    | "todas"
-                    | "tous"
-                    | "toutes"
-                    | "these"
-                    | "those"
-                    | "那"
-                    | "所"
-                    | "有"
-                    | "个"
-                    | "只"
-                    | "l"
-            ) {
-                counted.is_definite |= form != "of";
-                counted.end = at + 1;
-            } else {
-                return counted;
-            }
-        }
-    }
-
-    /// The far end of `three to five`.
-    fn upper(&self, at: usize) -> Option<(usize, u32)> {
-        let link = matches!(self.text.form(at), "to" | "-" | "bis" | "a" | "or" | "oder" | "到" | "至");
-        let number = number_at(&self.text, at + 1).filter(|number| link && is_count(number.value))?;
-        Some((1 + number.tokens, number.value as u32))
-    }
-
-    fn vague(&self, at: usize) -> Option<(usize, Count)> {
-        let (tokens, vague) = vocabulary().vague.at(&self.text, at)?;
-        let count = match vague {
-            Vague::Couple => Count::Exactly(2),
-            Vague::Few | Vague::Some => Count::Between(2, 4),
-            Vague::Several => Count::Between(3, 6),
-            Vague::Many => Count::Between(8, 15),
-            Vague::Dozens => Count::Between(24, 48),
-            Vague::Hundreds => Count::Between(100, 300),
-        };
-        Some((tokens, count))
-    }
-
     /// The thing that is named at a token, with its adjectives.
     pub(super) fn thing_at(&self, at: usize) -> Option<Thing> {
         let is_word = |at: usize| self.text.tokens.get(at).is_some_and(|token| token.kind == Kind::Word);
@@ -378,16 +263,6 @@ impl Reader<'_> {
     pub(super) fn relation_at(&self, at: usize) -> Option<(usize, Relation)> {
         self.phrase(&lexicon().relations, at)
     }
-}
-
-fn is_count(value: f64) -> bool {
-    (0.0..=100_000.0).contains(&value) && value.fract() == 0.0
-}
-
-/// Whether a number stands at a token, not an article.
-fn count_is_said(text: &crate::draft::read::text::Text<'_>, at: usize) -> bool {
-    !matches!(text.form(at), "a" | "an" | "ein" | "eine" | "einen" | "un" | "une" | "una")
-        && number_at(text, at).is_some()
 }
 
 /// Catalogs, for tests of other modules.
