@@ -160,7 +160,9 @@ fn path(answer: &Answer, wish: &mut Wish) {
             let what = answer.structure.map(|structure| environment(structure).to_owned());
             Some(Route::Follow { what, length_m })
         }
-        Way::Approach => Some(Route::Approach { from_m: positive(answer.distance_most_m), to_m: positive(answer.distance_m) }),
+        Way::Approach => {
+            Some(Route::Approach { from_m: positive(answer.distance_most_m), to_m: positive(answer.distance_m) })
+        }
         Way::ManySides => Some(Route::Views),
         Way::Hover => Some(Route::Hover),
         // Down to where, only the prompt's own numbers say.
