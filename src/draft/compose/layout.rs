@@ -103,7 +103,7 @@ impl<'a> Layout<'a> {
     }
 
     /// Where a thing is that is told from the vehicle, in plan, metres.
-    pub fn from_vehicle(&self, placing: &Placing, side: Side, distance: Option<&Amount>) -> [f64; 2] {
+    pub fn told_from_vehicle(&self, placing: &Placing, side: Side, distance: Option<&Amount>) -> [f64; 2] {
         let (place, yaw_deg) = match self.going.way {
             Way::Hover { place_m, yaw_deg } => (place_m, yaw_deg),
             _ => ([0.0, 0.0], 0.0),

@@ -145,7 +145,7 @@ impl Posing<'_> {
                 String::new()
             }
             Place::FromVehicle(side, distance) => {
-                let place = layout.from_vehicle(self.placing, *side, *distance);
+                let place = layout.told_from_vehicle(self.placing, *side, *distance);
                 at(entries, place, small);
                 self.aside(*side, notes)
             }

@@ -92,13 +92,13 @@ impl Case<'_> {
     fn things(&self) -> Things {
         Things {
             scattered: self.placings.iter().map(|placing| placing.count.most()).sum::<u32>() > 1,
-            from_vehicle: self.from_vehicle().is_some(),
+            from_vehicle: self.told_from_vehicle().is_some(),
             at_structure: self.placings.iter().any(|placing| is_at(self.structure, placing)),
         }
     }
 
     /// The first distance from the vehicle that was said, if anything is told from it.
-    fn from_vehicle(&self) -> Option<Option<&Amount>> {
+    fn told_from_vehicle(&self) -> Option<Option<&Amount>> {
         self.placings.iter().find_map(|placing| match placing.manner.place {
             Place::FromVehicle(_, distance) => Some(distance),
             _ => None,
@@ -150,7 +150,7 @@ impl Case<'_> {
         // One at a time is looked at.
         let single = form == Form::Views || passed;
         Terms {
-            range: range.or(self.from_vehicle().flatten()).filter(|_| !passed),
+            range: range.or(self.told_from_vehicle().flatten()).filter(|_| !passed),
             altitude: depth.altitude.as_ref(),
             tilt: said(&asked.wish.sonar.pitch_deg),
             natural_m: natural.min(most),
