@@ -218,6 +218,9 @@ fn scattering(way: &Way, view: &View, sizes: Sizes, structure: Option<&Structure
 pub(super) fn field_why(layout: &Layout) -> String {
     match layout.crowded {
         true => assumed("no more fits into view"),
+        false if layout.placings.iter().map(|placing| placing.count.most()).sum::<u32>() <= 1 => {
+            assumed("not always in the middle")
+        }
         false => assumed("room for all of them beside each other"),
     }
 }

@@ -117,11 +117,16 @@ fn scattered_m(placings: &[Placing]) -> f64 {
         Place::Around(radius) => Some(radius.ends()[1]),
         _ => None,
     });
-    let single = placings.len() == 1 && placings[0].count.most() == 1;
+    // One thing alone, or one heap, is in the middle or nearly so.
+    let single = match placings {
+        [only] if only.manner.kind == Pose::Heap => Some(only.reach_m()),
+        [only] if only.count.most() == 1 => Some(0.0),
+        _ => None,
+    };
     let rows = scattered().filter(|placing| matches!(placing.manner.kind, Pose::Row(_))).map(Placing::reach_m);
     match said.fold(0.0, f64::max) {
         around if around > 0.0 => around,
-        _ if single => room::stray_m(sight::distance_m(placings[0].bulk.longest_m[1])),
+        _ if let Some(reach) = single => reach + room::stray_m(sight::distance_m(placings[0].bulk.longest_m[1])),
         _ => rows.fold(room::disc_m(sizes), f64::max),
     }
 }

@@ -83,6 +83,7 @@ impl Case<'_> {
             }
         }
         let Try { view, going, far_m, azimuth_deg } = tried;
+        let far_m = self.heard(far_m, &view, &device);
         let near_m = self.near(far_m, &view, &device)?;
         let tilt_deg = tilt(&view, &going.way);
         let reach_m = self.ground(&view, azimuth_deg, far_m).reach_m(&going.way);
@@ -120,6 +121,15 @@ impl Case<'_> {
     fn ground<'b>(&'b self, view: &'b View, azimuth_deg: f64, far_m: f64) -> Ground<'b> {
         let Case { asked, structure, depth, sizes, .. } = *self;
         Ground { asked, structure, view, azimuth_deg, far_m, depth_m: depth.least_m, field_m: sizes.field_m }
+    }
+
+    /// No farther than the device is made for, where the things are nearer.
+    fn heard(&self, far_m: f64, view: &View, device: &Device) -> f64 {
+        let [_, height] = view.altitude.amount.ends();
+        let things = view.sight.slant_m(height) + 0.5 * self.sizes.longest_m;
+        let most = device.range_m[1];
+        let is_said = self.asked.wish.sonar.most_range_m.is_some();
+        if !is_said && far_m > most && things < most { most } else { far_m }
     }
 
     fn need(&self, tried: &Try) -> Need {
