@@ -9,6 +9,8 @@ use serde_json::json;
 
 use super::Code;
 use super::check::{Looked, Report};
+use super::llm::LlmArgs;
+use crate::draft::transcript::Transcript;
 use crate::draft::{Draft, Drafter, Known, Options, Prompt};
 use crate::run::Project;
 
@@ -49,6 +51,8 @@ pub struct DraftVerb {
     /// A catalog to find models in, a name under `catalogs/` or a folder; may be given several times [default: all near the file]
     #[arg(short, long, value_name = "NAME|DIR")]
     catalog: Vec<String>,
+    #[command(flatten)]
+    llm: LlmArgs,
     /// Builds and renders nothing: no estimates, no notes on what is in view
     #[arg(long)]
     quick: bool,
@@ -72,12 +76,16 @@ impl DraftVerb {
                 folder.display()
             );
         }
-        let draft = Drafter::BuiltIn.draft(&prompt, &known)?;
+        let mut drafter = self.llm.drafter()?.map_or(Drafter::BuiltIn, |model| Drafter::Model(Box::new(model)));
+        let draft = drafter.draft(&prompt, &known)?;
         let project = Project::of_text(&self.file_name(), &draft.recipe, &folder).context("the draft is no recipe")?;
         let looked = if self.quick { Looked::Nowhere } else { Looked::AtScenes };
         let report = Report::on(&project, looked, None).context("the draft cannot be run")?;
         if let Some(path) = &self.output {
             write_whole(path, &draft.recipe).with_context(|| format!("cannot write {}", path.display()))?;
+            let transcript = Transcript::beside(path);
+            let told = transcript.add(&draft.entry("draft"));
+            told.with_context(|| format!("cannot write {}", transcript.path().display()))?;
         }
         self.tell(&draft, &project, &report)?;
         Ok(Code::Done)

@@ -3,17 +3,21 @@
 use thiserror::Error;
 
 use super::check::checked;
+use super::model::{Asked, ModelDrafter, ModelError, NotUnderstood, Understood};
 use super::read::read;
+use super::transcript::{Entry, Outcome, Round, Who};
 use super::wish::Source;
 use super::{Composed, Known, Prompt, Refusal, Wish, composed};
 use crate::plan::PlanError;
 
 /// A reader of prompts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub enum Drafter {
     /// Rules and tables of this program: the same prompt gives the same recipe.
     #[default]
     BuiltIn,
+    /// A language model beside them.
+    Model(Box<ModelDrafter>),
 }
 
 /// A drafted recipe.
@@ -28,9 +32,18 @@ pub struct Draft {
     /// What could not be as it was asked for, and what to expect.
     pub notes: Vec<String>,
     prompt: Prompt,
+    drafter: Who,
+    rounds: Vec<Round>,
 }
 
 impl Draft {
+    /// What a transcript says of it.
+    #[must_use]
+    pub fn entry(&self, verb: &'static str) -> Entry {
+        let entry = Entry::new(verb, &self.prompt, Outcome::recipe(&self.recipe));
+        entry.by_model(self.drafter.clone(), self.rounds.clone())
+    }
+
     /// Words of the prompt that change nothing in a sonar image, and why.
     #[must_use]
     pub fn ignored(&self) -> Vec<(String, String)> {
@@ -51,27 +64,47 @@ pub enum DraftError {
     /// The recipe that was made of it cannot be run: a model file is broken, a licence forbids it.
     #[error("the draft cannot be run: {0}")]
     Unfit(#[from] PlanError),
+    /// The language model gives no answer.
+    #[error(transparent)]
+    Model(#[from] ModelError),
 }
 
 impl Drafter {
     /// The recipe of a prompt, which passes what `check` asks.
     ///
     /// # Errors
-    /// What of the prompt cannot be, and what to write instead.
-    pub fn draft(&self, prompt: &Prompt, known: &Known) -> Result<Draft, DraftError> {
-        let wish = match self {
-            Self::BuiltIn => read(prompt, known)?,
+    /// What of the prompt cannot be, and what to write instead; a language model that gives no answer.
+    pub fn draft(&mut self, prompt: &Prompt, known: &Known) -> Result<Draft, DraftError> {
+        let by = self.name();
+        let make = |wish: &Wish| -> Result<Draft, DraftError> {
+            let Composed { recipe, notes } = composed(wish, prompt, known, &by)?;
+            checked(&recipe, &known.folder)?;
+            let (wish, by, prompt) = (wish.clone(), by.clone(), prompt.clone());
+            Ok(Draft { recipe, wish, by, notes, prompt, drafter: Who::BuiltIn, rounds: Vec::new() })
         };
-        let Composed { recipe, notes } = composed(&wish, prompt, known, self.name())?;
-        checked(&recipe, &known.folder)?;
-        Ok(Draft { recipe, wish, by: self.name().to_owned(), notes, prompt: prompt.clone() })
+        let read = read(prompt, known);
+        match self {
+            Self::BuiltIn => make(&read?),
+            Self::Model(drafter) => {
+                let mut rounds = Vec::new();
+                let asked = Asked { prompt, known, read: &read };
+                let Understood { made, .. } =
+                    drafter.read(asked, &mut rounds, &mut { make }).map_err(|why| match why {
+                        NotUnderstood::Model(error) => error.into(),
+                        NotUnderstood::Refused(refusal) => refusal.into(),
+                        NotUnderstood::Unmade(error) => error,
+                    })?;
+                Ok(Draft { drafter: drafter.who(), rounds, ..made })
+            }
+        }
     }
 
     /// Who it is, as headings of recipes say.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> String {
         match self {
-            Self::BuiltIn => "built-in drafter",
+            Self::BuiltIn => "built-in drafter".to_owned(),
+            Self::Model(drafter) => format!("language model {}", drafter.model()),
         }
     }
 }

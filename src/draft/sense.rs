@@ -82,6 +82,10 @@ fn water(wish: &Wish, problems: &mut Vec<Problem>) {
 
 /// What is over the bottom must be under the surface.
 fn heights(wish: &Wish, problems: &mut Vec<Problem>) {
+    if let Some(altitude) = wish.path.altitude_m.as_ref().filter(|said| said.value.ends()[0] <= 0.0) {
+        let what = format!("a sonar {} m above the bottom: that is in the ground", short(altitude.value.ends()[0]));
+        problems.push(problem(altitude, what, "say a height above 0"));
+    }
     let Some(depth) = &wish.water.depth_m else { return };
     let deepest = depth.value.ends()[1];
     let mut over = |said: &Said<Amount>, what: &str| {

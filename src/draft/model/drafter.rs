@@ -87,6 +87,12 @@ impl ModelDrafter {
         Who::Model { model: settings.model.clone(), host: settings.server.host().to_owned() }
     }
 
+    /// Name of the model, on one line.
+    #[must_use]
+    pub fn model(&self) -> String {
+        short(&self.client.settings().model)
+    }
+
     /// The client, for other questions.
     pub fn client(&mut self) -> &mut Client {
         &mut self.client
@@ -292,14 +298,17 @@ fn refused_by<E>(answer: &Answer, asked: Asked<'_>) -> Result<(), NotUnderstood<
     }
 }
 
-/// Whether a refusal is of what the prompt says, and not for want of words in it that the reader knows.
+/// Whether a refusal is of what the prompt says, and not for want of words in it that the reader knows: those that it does not
+/// know may be of another language.
 fn is_definite(refusal: &Refusal) -> bool {
-    refusal.problems.iter().any(|problem| problem.words.is_some() || problem.help.contains("ensonify edit"))
+    let is_strange = |problem: &Problem| problem.help.contains("`ensonify catalog index");
+    refusal.problems.iter().any(|problem| problem.words.is_some() && !is_strange(problem))
 }
 
 /// Whether a wish is for nothing that could be seen.
 fn says_nothing(wish: &Wish) -> bool {
-    wish.things.is_empty() && wish.unknown.is_empty() && wish.environment.is_none() && wish.path.route.is_none()
+    let is_place = wish.unknown.is_empty() && (wish.environment.is_some() || wish.path.route.is_some());
+    wish.things.is_empty() && !is_place
 }
 
 /// What a person is told of what a model said otherwise.

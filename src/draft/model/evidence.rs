@@ -126,15 +126,15 @@ fn ranges_of(wish: &Wish) -> Vec<Range<usize>> {
     macro_rules! take_all {
         ($($said:expr),+ $(,)?) => { $( $said.iter().for_each(|said| take(&said.source)); )+ };
     }
-    let Wish { seabed, water, sonar, path, .. } = wish;
+    let Wish { seabed, water, sonar, path, output, .. } = wish;
     take_all!(wish.images, wish.scenes, wish.seed, wish.without, wish.environment, wish.environment_m, wish.splits);
-    take_all!(wish.looks, wish.ignored);
+    take_all!(wish.looks, wish.ignored, wish.multipath, output.raw, output.views, output.pack);
     take_all!(seabed.shape, seabed.sediments, seabed.slope_deg, seabed.height_m, seabed.wavelength_m);
     take_all!(water.depth_m, water.temperature_c, water.salinity_ppt, water.ph, water.turbidity);
     take_all!(sonar.devices, sonar.frequency_khz, sonar.beams, sonar.fov_deg, sonar.least_range_m, sonar.most_range_m);
     take_all!(sonar.pitch_deg, sonar.yaw_deg);
     take_all!(path.route, path.altitude_m, path.vehicle_depth_m, path.range_m, path.speed_m_s, path.position_m);
-    take_all!(path.heading_deg);
+    take_all!(path.heading_deg, path.points_m, path.sway);
     for thing in &wish.things {
         take(&thing.called.source);
         take_all!(thing.count, thing.size_m, thing.stands);

@@ -151,9 +151,13 @@ fn is_between(form: &str) -> bool {
 /// `images: 300`, `# of frames: 36`, `number of images = 300`.
 fn noun_before(reading: &Reading<'_>, number: usize, wanted: Word) -> Option<Range<usize>> {
     let mut end = number;
+    while end > 0 && reading.text.is_mark(end - 1, '"') {
+        end -= 1;
+    }
     let marked = end > 0 && (reading.text.is_mark(end - 1, ':') || reading.text.is_mark(end - 1, '='));
     if marked {
         end -= 1;
+        end -= usize::from(end > 0 && reading.text.is_mark(end - 1, '"'));
     } else if end > 0 && matches!(reading.text.form(end - 1), "be" | "is") {
         end -= 1;
     } else if !(end >= 2 && reading.text.form(end - 1).is_empty()) {

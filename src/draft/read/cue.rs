@@ -84,6 +84,7 @@ fn fits(cue: Cue, quantity: &Quantity, is_before: bool) -> bool {
         | Cue::Spacing
         | Cue::SonarDepth => measure == Measure::Length || number,
         Cue::BelowSurface
+        | Cue::Visibility
         | Cue::AboveSurface
         | Cue::Apart
         | Cue::Size
@@ -212,7 +213,8 @@ fn behind(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
 pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, bool) {
     let mut comma = false;
     let mut at = start;
-    while at > 0 {
+    // Who is spoken of stands not far off.
+    while at > 0 && at + 60 > start {
         at -= 1;
         let text = &reading.text;
         if text.is_mark(at, '.') || text.is_mark(at, ';') {
@@ -224,7 +226,8 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         let ends_with = |words: &[Word]| {
             (0..5.min(at + 1)).any(|back| words.iter().any(|word| reading.word(at - back, *word) == Some(back + 1)))
         };
-        let lines = (at.saturating_sub(1)..at + 1).any(|at| text.form(at) == "line" && reading.is_plural(at));
+        let is_line = |at: usize| matches!(text.form(at), "line" | "track" | "lane" | "leg" | "transect");
+        let lines = (at.saturating_sub(1)..at + 1).any(|at| is_line(at) && reading.is_plural(at));
         if lines {
             return (Subject::Lines, comma);
         }

@@ -158,9 +158,29 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
         let parted = !name.is_empty() && !reading.text.tokens[at].is_ideograph();
         name + if parted { " " } else { "" } + reading.text.form(at)
     });
+    next = wreck_of(reading, stands, next, &mut noun);
+    // `a debris field`: not one.
+    let field = matches!(reading.text.form(next), "field" | "site" | "zone" | "dump" | "collection");
+    if field && noun.count.as_ref().is_some_and(|said| said.value == Count::Exactly(1)) {
+        noun.count = None;
+    }
     next = count_behind(reading, next, &mut noun);
     noun.tokens = at..next;
     Some(noun)
+}
+
+/// `wreck of a small boat`: one thing, of which the wreck tells the state.
+fn wreck_of(reading: &Reading<'_>, stands: &[StandCue], at: usize, noun: &mut Noun) -> usize {
+    let is_wreck = noun.name.split(' ').next_back().is_some_and(|word| vocabulary().wrecked.contains(word));
+    if !is_wreck || !matches!(reading.text.form(at), "of" | "von" | "de" | "d") || noun.tokens.start > at {
+        return at;
+    }
+    let inner = noun_at(reading, stands, at + 1).filter(|inner| inner.is_known);
+    inner.map_or(at, |inner| {
+        noun.name = format!("{} {}", inner.name, noun.name);
+        noun.named.end = inner.named.end;
+        inner.tokens.end
+    })
 }
 
 /// Reads the article or count at a token; the token behind it.
@@ -356,6 +376,8 @@ fn noun_follows(reading: &Reading<'_>, stands: &[StandCue], at: usize, noun: &No
     let mut inner = noun.clone();
     let behind = determiner(reading, begin, &mut inner);
     let counted = behind > begin;
+    let of =
+        usize::from(of == 1 || matches!(reading.text.form(begin.wrapping_sub(1)), "of" | "von" | "de" | "d" | "的"));
     // `buried in`, `lying on`: what follows an adjective stands right behind it.
     (is_near(begin) || (counted && of == 1 && is_near(behind)) || (counted && (of == 1) && is_near(behind + 1)))
         || (adjective(reading, begin, None).is_some_and(|(tokens, _)| is_near(begin + tokens)))
@@ -409,7 +431,7 @@ fn compound(
     }
     while let Some(more) = reading.thing_at(end) {
         let whole = reading.text.words(at..end + more);
-        let tells = crate::draft::find::models(whole, reading.known).is_ok_and(|found| {
+        let tells = reading.models(whole).is_ok_and(|found| {
             let first = crate::catalog::words::words(reading.text.words(at..end));
             found.narrowed_by.iter().any(|word| first.contains(word))
         });

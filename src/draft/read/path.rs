@@ -127,7 +127,10 @@ fn lawnmower(reading: &mut Reading<'_>) -> Found {
     let area = reading.sides.first().cloned();
     if let Some((_, tokens)) = &area {
         let end = tokens.end + usize::from(is_area_word(reading.text.form(tokens.end)));
-        words.push(tokens.start..end);
+        // `a box of 60 m by 30 m`.
+        let before = tokens.start.saturating_sub(2);
+        let named = reading.text.form(before + 1) == "of" && is_area_word(reading.text.form(before));
+        words.push(if named { before } else { tokens.start }..end);
     }
     let side = |place: usize| area.as_ref().and_then(|(sides, _)| sides.get(place).copied());
     let route = Route::Lawnmower {

@@ -1,5 +1,7 @@
 //! A prompt that is being read: which words have told what, and what was learnt so far.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::measures::StandCue;
@@ -11,7 +13,7 @@ use super::text::Text;
 use super::token::Kind;
 use super::vocabulary::{Word, vocabulary};
 use crate::catalog::concepts::concepts;
-use crate::draft::find::is_known_thing;
+use crate::draft::find::{Found, is_known_thing, models};
 use crate::draft::wish::{Said, Source, Wish};
 use crate::draft::{Known, Problem};
 
@@ -39,6 +41,8 @@ pub(super) struct Reading<'a> {
     pub route: Parts,
     /// Tokens of the structure.
     pub environment_at: Option<Range<usize>>,
+    /// Models that were looked for, by name.
+    found: RefCell<BTreeMap<String, Result<Found, Vec<String>>>>,
 }
 
 impl<'a> Reading<'a> {
@@ -58,7 +62,13 @@ impl<'a> Reading<'a> {
             pending: Vec::new(),
             route: Parts::default(),
             environment_at: None,
+            found: RefCell::default(),
         }
+    }
+
+    /// The models that a name means: see [`models`].
+    pub fn models(&self, name: &str) -> Result<Found, Vec<String>> {
+        self.found.borrow_mut().entry(name.to_owned()).or_insert_with(|| models(name, self.known)).clone()
     }
 
     /// Finds the numbers that are left.
@@ -164,8 +174,9 @@ impl<'a> Reading<'a> {
 
     /// Whether a token is one that people say something between two others with.
     pub fn is_link(&self, at: usize) -> bool {
-        const LINKS: [&str; 18] = [
-            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "to",
+        const LINKS: [&str; 19] = [
+            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "\"",
+            "to",
         ];
         let form = self.text.form(at);
         LINKS.contains(&form) || form == "i" && self.text.words(at..at + 1) == "is"

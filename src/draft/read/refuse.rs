@@ -71,10 +71,7 @@ pub(super) fn edit(reading: &Reading<'_>) -> Option<Problem> {
 pub(super) fn everything(reading: &Reading<'_>) -> Option<Problem> {
     let text = &reading.text;
     let at = (0..reading.len()).find(|&at| {
-        let all = matches!(
-            text.form(at),
-            "every" | "all" | "each" | "alle" | "jede" | "jede" | "todo" | "tou" | "tout" | "every single"
-        );
+        let all = matches!(text.form(at), "every" | "all" | "each" | "alle" | "jede" | "todo" | "tou" | "tout");
         let noun = (at + 1..at + 4).any(|next| {
             matches!(
                 text.form(next),

@@ -10,7 +10,6 @@ use super::stand::{Relation, StandWord, add, stand_word};
 use super::vocabulary::{Cue, Word, vocabulary};
 use crate::catalog::concepts::concepts;
 use crate::draft::Problem;
-use crate::draft::find::models;
 use crate::draft::wish::{Amount, Count, Side, Stand, Thing, Unknown};
 
 /// Finds the things.
@@ -35,12 +34,33 @@ pub(super) fn spot(reading: &mut Reading<'_>, stands: Vec<StandCue>) {
             walk.at = before + 1;
         }
     }
+    walk.mines();
     let headings = std::mem::take(&mut walk.headings);
     if walk.reading.wish.things.is_empty() && walk.reading.wish.unknown.is_empty() {
         for noun in headings {
             walk.thing(&noun);
         }
     }
+}
+
+/// Parts of structures that are no things by themselves.
+fn is_part(form: &str) -> bool {
+    matches!(
+        form,
+        "wall"
+            | "side"
+            | "floor"
+            | "face"
+            | "edge"
+            | "corner"
+            | "wand"
+            | "mauer"
+            | "pared"
+            | "muro"
+            | "mur"
+            | "pile"
+            | "墙"
+    )
 }
 
 struct Walk<'r, 'a> {
@@ -320,6 +340,8 @@ impl Walk<'_, '_> {
                 quantity.measure == super::quantity::Measure::Share
                     && quantity.tokens.end <= words.start
                     && quantity.tokens.end + 5 > words.start
+                    // `half of the tires`: of them, not of each.
+                    && !matches!(self.reading.text.form(quantity.tokens.end), "of" | "the" | "der" | "de" | "des")
                     && quantity.tokens.clone().all(|at| self.reading.is_free(at))
             });
             if let Some(share) = share.cloned() {
@@ -380,9 +402,9 @@ impl Walk<'_, '_> {
         }
         let vehicle =
             self.reading.word(next, Word::Vehicle).filter(|_| !matches!(text.form(next.wrapping_sub(1)), "a" | "an"));
-        let structure =
-            self.reading.environment_at.as_ref().is_some_and(|place| (next..next + 2).contains(&place.start))
-                || vocabulary().environments.at(text, next).is_some();
+        let structure = self.reading.environment_at.as_ref().is_some_and(|place| {
+            (next..next + 5).contains(&place.start) && (place.start <= next + 1 || is_part(text.form(next)))
+        }) || vocabulary().environments.at(text, next).is_some();
         let side = match relation {
             Relation::Near(side) => side,
             Relation::Leaning | Relation::On => None,
@@ -510,11 +532,13 @@ impl Walk<'_, '_> {
         if alike {
             return;
         }
+        // `the wall of the tank`: part of the structure.
+        if self.reading.environment_at.is_some() && is_part(&noun.name) {
+            return;
+        }
         if self.negating {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label);
-            let label = label
-                .ok()
-                .or_else(|| crate::draft::find::name_of(&noun.name))
+            let label = crate::draft::find::name_of(&noun.name)
+                .or_else(|| self.reading.models(&noun.name).map(|found| found.label).ok())
                 .unwrap_or_else(|| noun.name.to_lowercase());
             let said = self.reading.said(noun.tokens.clone(), label);
             self.reading.wish.without.push(said);
@@ -525,7 +549,7 @@ impl Walk<'_, '_> {
             return self.backwards(noun);
         }
         let is_group = || {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label).unwrap_or_default();
+            let label = self.reading.models(&noun.name).map(|found| found.label).unwrap_or_default();
             label == "uxo" || concepts().number(&label).is_some_and(|number| concepts().is_group(number))
         };
         if text.is_mark(noun.tokens.end, ':') && noun.count.is_none() && noun.article == Article::None && is_group() {
@@ -550,7 +574,7 @@ impl Walk<'_, '_> {
     fn thing(&mut self, noun: &Noun) {
         self.reading.take(noun.tokens.clone());
         let said = self.reading.said(noun.named.clone(), self.reading.text.words(noun.named.clone()).to_owned());
-        let found = match models(&noun.name, self.reading.known) {
+        let found = match self.reading.models(&noun.name) {
             Ok(found) => found,
             Err(near) => {
                 let unknown =
@@ -624,6 +648,26 @@ impl Walk<'_, '_> {
             self.group.push(place);
         }
         self.halves = 0;
+    }
+
+    /// Of mines, those on a line are moored mines, and of two halves those on the ground are bottom mines.
+    fn mines(&mut self) {
+        let on_line = |thing: &Thing| {
+            thing.label == "mine"
+                && thing.stands.iter().any(|said| matches!(said.value, Stand::Moored(_) | Stand::Floating(_)))
+        };
+        let both = self.reading.wish.things.iter().any(on_line);
+        for place in 0..self.reading.wish.things.len() {
+            let thing = &self.reading.wish.things[place];
+            let name = match (thing.label.as_str(), on_line(thing)) {
+                ("mine", true) => "moored mine",
+                ("mine", false) if both => "bottom mine",
+                _ => continue,
+            };
+            if let Ok(found) = self.reading.models(name) {
+                self.reading.wish.things[place].models = found.models;
+            }
+        }
     }
 
     /// `the anchor` is one.
