@@ -87,12 +87,6 @@ impl ModelDrafter {
         Who::Model { model: settings.model.clone(), host: settings.server.host().to_owned() }
     }
 
-    /// Name of the model, on one line.
-    #[must_use]
-    pub fn model(&self) -> String {
-        short(&self.client.settings().model)
-    }
-
     /// The client, for other questions.
     pub fn client(&mut self) -> &mut Client {
         &mut self.client
@@ -108,11 +102,11 @@ impl ModelDrafter {
         rounds: &mut Vec<Round>,
         make: &mut dyn FnMut(&Wish) -> Result<T, E>,
     ) -> Result<Understood<T>, NotUnderstood<E>> {
-        if let Some(refusal) = asked.read.as_ref().err().filter(|refusal| is_definite(refusal)) {
-            return Err(NotUnderstood::Refused(refusal.clone()));
-        }
         if self.held == Held::ToTheFormAlone {
             return self.read_alone(asked, rounds, make);
+        }
+        if let Some(refusal) = asked.read.as_ref().err().filter(|refusal| is_definite(refusal)) {
+            return Err(NotUnderstood::Refused(refusal.clone()));
         }
         let read = asked.read.as_ref().ok();
         if let Some(wish) = read.filter(|wish| wish.unknown.is_empty()) {
