@@ -229,7 +229,6 @@ fn disc_fault([x, y]: [f64; 2], within_m: f64) -> Option<String> {
 }
 
 /// Plans leave out the place that most discs lie about.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
 fn is_origin(centre_m: &[f64; 2]) -> bool {
     *centre_m == [0.0; 2]
 }
