@@ -27,6 +27,11 @@ pub const DEVICES: &[(&str, &str)] = &[
     ("waterlinked-3d15-nav", include_str!("../../catalogs/sonars/waterlinked-3d15-nav.yaml")),
 ];
 
+/// Names of the built-in device files, in alphabetical order.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    DEVICES.iter().map(|(name, _)| *name)
+}
+
 /// The text of a built-in device file.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static str> {

@@ -11,9 +11,11 @@ macro_rules! say {
 }
 
 mod catalog;
+mod chat;
 mod check;
 mod diff;
 mod draft;
+mod edit;
 mod finish;
 mod job;
 mod llm;
@@ -78,6 +80,8 @@ enum Verb {
     Check(check::Check),
     Plan(plan::PlanVerb),
     Preview(preview::Preview),
+    Edit(edit::Edit),
+    Chat(chat::Chat),
     Status(status::StatusVerb),
     Finish(finish::Finish),
     Verify(verify::Verify),
@@ -139,6 +143,8 @@ pub fn main() -> ExitCode {
         Verb::Check(verb) => verb.run(),
         Verb::Plan(verb) => verb.run(),
         Verb::Preview(verb) => verb.run(),
+        Verb::Edit(verb) => verb.run(),
+        Verb::Chat(verb) => verb.run(),
         Verb::Status(verb) => verb.run(),
         Verb::Finish(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),

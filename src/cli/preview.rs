@@ -1,6 +1,6 @@
 //! `ensonify preview`: a contact sheet of a few frames.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
@@ -31,25 +31,31 @@ pub struct Preview {
 
 impl Preview {
     pub(super) fn run(&self) -> anyhow::Result<Code> {
-        let project = self.recipe.load()?;
-        let plan = &project.plan;
-        let mut header = plan.header.clone();
-        header.output.views = vec![View::Polar, View::Fan];
-        header.output.raw = Raw::None;
-        let ids = spread(plan.jobs.len() as u64, u64::from(self.frames));
-        let rows = ids.iter().map(|&id| Row::render(&project, &header, id)).collect::<anyhow::Result<Vec<_>>>()?;
-        let frames: Vec<SheetFrame> = rows.iter().flat_map(Row::on_sheet).collect();
-        let sheet = contact_sheet(&frames);
-
-        let path = self.output.clone().unwrap_or_else(|| PathBuf::from(format!("out/{}-preview.png", header.name)));
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
-        }
-        std::fs::write(&path, png::rgb8(sheet.width(), sheet.height(), sheet.as_raw()))
-            .with_context(|| format!("cannot write {}; choose another file with -o", path.display()))?;
+        let path = draw(&self.recipe.load()?, self.output.as_deref(), self.frames)?;
         say!("{}", path.display());
         Ok(Code::Done)
     }
+}
+
+/// Draws the contact sheet of a project, into `out/NAME-preview.png` where no file is given; gives the file.
+pub(super) fn draw(project: &Project, output: Option<&Path>, frames: u32) -> anyhow::Result<PathBuf> {
+    let plan = &project.plan;
+    let mut header = plan.header.clone();
+    header.output.views = vec![View::Polar, View::Fan];
+    header.output.raw = Raw::None;
+    let ids = spread(plan.jobs.len() as u64, u64::from(frames));
+    let rows = ids.iter().map(|&id| Row::render(project, &header, id)).collect::<anyhow::Result<Vec<_>>>()?;
+    let frames: Vec<SheetFrame> = rows.iter().flat_map(Row::on_sheet).collect();
+    let sheet = contact_sheet(&frames);
+
+    let usual = || PathBuf::from(format!("out/{}-preview.png", header.name));
+    let path = output.map_or_else(usual, Path::to_owned);
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+    }
+    std::fs::write(&path, png::rgb8(sheet.width(), sheet.height(), sheet.as_raw()))
+        .with_context(|| format!("cannot write {}; choose another file with -o", path.display()))?;
+    Ok(path)
 }
 
 struct Row {

@@ -13,6 +13,7 @@ pub mod annotate;
 pub mod check;
 pub mod compose;
 mod drafter;
+pub mod edit;
 pub(crate) mod find;
 pub mod infer;
 mod known;

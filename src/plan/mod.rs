@@ -36,6 +36,11 @@ use crate::scene::SceneSpec;
 use crate::sonar::Sonar;
 use crate::vehicle::{Trajectory, Vehicle};
 
+/// Whether a sweep may vary a section.
+pub(crate) fn is_swept(section: &str) -> bool {
+    sections::SWEPT.contains(&section)
+}
+
 /// Every job of a dataset, with every drawn value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plan {

@@ -40,7 +40,21 @@ impl Recipe {
     /// # Errors
     /// As [`Recipe::read`] for each file; a circle of files, too many, or one outside of the folder.
     pub fn read_whole(path: &Path, outside: Outside) -> Result<(Self, Vec<Included>), Error> {
-        let top = Self::read(path)?;
+        Self::read(path)?.laid_over(path, outside)
+    }
+
+    /// As [`Recipe::read_whole`], of a text that is to stand in the file at `path`; where it includes others, that file must be there.
+    ///
+    /// # Errors
+    /// As [`Recipe::read_whole`].
+    pub fn parse_whole(path: &Path, text: &str, outside: Outside) -> Result<(Self, Vec<Included>), Error> {
+        Self::parse(&path.display().to_string(), text)?.laid_over(path, outside)
+    }
+
+    fn laid_over(self, path: &Path, outside: Outside) -> Result<(Self, Vec<Included>), Error> {
+        if self.0.get(INCLUDE).is_none() {
+            return Ok((self, Vec::new()));
+        }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let here = |path: &Path| {
             path.canonicalize().map_err(|error| {
@@ -49,7 +63,7 @@ impl Recipe {
             })
         };
         let mut reader = Reader { outside, root: here(folder)?, seen: vec![here(path)?], files: Vec::new() };
-        let tree = reader.over(top.0, path)?;
+        let tree = reader.over(self.0, path)?;
         Ok((Self(tree), reader.files))
     }
 }

@@ -7,6 +7,7 @@
 //! Every value knows file, line and column, so every error does. Knows nothing of what the values mean: other modules define
 //! plain serde structs, check ranges, and report through [`Tree::reject`].
 
+mod amend;
 mod corner;
 mod de;
 mod de_enum;
@@ -22,7 +23,8 @@ mod merge;
 mod nearest;
 mod node;
 mod parse;
-mod path;
+pub(crate) mod path;
+pub(crate) mod places;
 mod scalar;
 mod set;
 mod source;

@@ -60,8 +60,27 @@ impl Project {
     /// # Errors
     /// The first fault, located; nothing has been written.
     pub fn load(given: &Given<'_>) -> Result<Self, PlanError> {
-        let Given { path, sets, outside } = *given;
-        let (mut recipe, includes) = Recipe::read_whole(path, outside)?;
+        let (recipe, includes) = Recipe::read_whole(given.path, given.outside)?;
+        let text = std::fs::read_to_string(given.path).unwrap_or_default();
+        Self::of_recipe(given, recipe, &includes, text)
+    }
+
+    /// Compiles a text that is to stand in the recipe's file.
+    ///
+    /// # Errors
+    /// As [`Project::load`].
+    pub fn load_text(given: &Given<'_>, text: &str) -> Result<Self, PlanError> {
+        let (recipe, includes) = Recipe::parse_whole(given.path, text, given.outside)?;
+        Self::of_recipe(given, recipe, &includes, text.to_owned())
+    }
+
+    fn of_recipe(
+        given: &Given<'_>,
+        mut recipe: Recipe,
+        includes: &[Included],
+        text: String,
+    ) -> Result<Self, PlanError> {
+        let Given { path, sets, .. } = *given;
         for set in sets {
             let (key, value) = split_set(set)?;
             recipe.set(key, value)?;
@@ -71,7 +90,7 @@ impl Project {
         let assets = AssetCache::new(&recipe_dir);
         let mut plan = compile(&recipe, &stem, &recipe_dir, &assets)?;
         plan.sets = sets.to_vec();
-        let recipe_text = Some(std::fs::read_to_string(path).unwrap_or_default());
+        let recipe_text = Some(text);
         let includes = includes.iter().map(include_lock).collect();
         let notes = notes(&recipe);
         Ok(Self { includes, recipe_text, notes, recipe: Some(recipe), ..Self::of(plan, assets, recipe_dir) })

@@ -10,7 +10,7 @@ use super::token::{Language, tokens};
 /// Words for one meaning, by language.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct Words {
+pub(in crate::draft) struct Words {
     /// What the words are for, where their key does not say it.
     pub(super) is: Vec<String>,
     en: Vec<String>,
@@ -50,7 +50,7 @@ struct Phrase<T> {
 
 impl<T: Clone> Phrases<T> {
     /// Phrases of a table.
-    pub(super) fn of<'a>(table: impl IntoIterator<Item = (T, &'a Words)>) -> Self {
+    pub(in crate::draft) fn of<'a>(table: impl IntoIterator<Item = (T, &'a Words)>) -> Self {
         let mut starts: HashMap<String, Vec<Phrase<T>>> = HashMap::new();
         for (means, words) in table {
             for (language, word) in words.all() {
@@ -103,7 +103,7 @@ impl<T: Clone> Phrases<T> {
     }
 
     /// Every word of the phrases with its language.
-    pub(super) fn words(&self) -> impl Iterator<Item = (Language, &str)> {
+    pub(in crate::draft) fn words(&self) -> impl Iterator<Item = (Language, &str)> {
         self.starts
             .values()
             .flatten()

@@ -1,0 +1,335 @@
+//! Changes of the list of objects.
+
+use super::pose::{self, Posing};
+use super::{Acts, Addition, Move, Named, NumberOf, Which, values};
+use crate::catalog::pick::Pick;
+use crate::catalog::words::words;
+use crate::draft::edit::act::{Act, list, map, number as numeral, word};
+use crate::draft::edit::numbers;
+use crate::draft::edit::subject::{Subject, Whose};
+use crate::draft::wish::{Count, Stand};
+use crate::draft::{Known, Models, Problem};
+use crate::recipe::Node;
+
+/// An item of the list.
+pub(super) struct Item<'a> {
+    /// Its path.
+    pub path: String,
+    index: usize,
+    pub node: &'a Node,
+    /// What may be picked: uids with their labels; empty where no catalog tells.
+    models: Vec<(String, String)>,
+}
+
+/// How an item has what somebody calls so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Has {
+    All,
+    Some,
+    None,
+}
+
+/// The items of a recipe.
+pub(super) fn items<'a>(subject: &'a Subject, known: &Known) -> Vec<Item<'a>> {
+    let nodes = subject.said("objects").map_or(&[][..], |(node, _)| node.items());
+    let item = |(index, node): (usize, &'a Node)| {
+        let path = format!("objects[{index}]");
+        let pick: Option<Pick> = node.get("pick").and_then(|pick| pick.to("pick").ok());
+        let catalog = pick.as_ref().and_then(|pick| known.catalogs.iter().find(|(name, _)| *name == pick.catalog));
+        let assets = pick.and_then(|pick| catalog?.1.pick(&pick).ok()).unwrap_or_default();
+        let models = assets.into_iter().map(|asset| (asset.uid, asset.label)).collect();
+        Item { path, index, node, models }
+    };
+    nodes.iter().enumerate().map(item).collect()
+}
+
+impl Item<'_> {
+    fn has(&self, which: &Which) -> Has {
+        let named = |label: &str| which.labels.contains(label) || which.labels.contains(&words(label).join(" "));
+        if self.node.get("label").and_then(Node::text).is_some_and(named) {
+            return Has::All;
+        }
+        let fitting = self.models.iter().filter(|(uid, label)| which.uids.contains(uid) || named(label)).count();
+        match fitting {
+            0 => Has::None,
+            all if all == self.models.len() => Has::All,
+            _ => Has::Some,
+        }
+    }
+
+    /// Whether poses may refer to it by this label.
+    pub fn is_called(&self, label: &str) -> bool {
+        match self.node.get("label").and_then(Node::text) {
+            Some(own) => own == label,
+            None => self.models.iter().any(|(_, own)| own == label),
+        }
+    }
+
+    /// What it is called: its label, else those of its models.
+    pub fn names(&self) -> String {
+        if let Some(label) = self.node.get("label").and_then(Node::text) {
+            return label.to_owned();
+        }
+        let mut labels: Vec<&str> = self.models.iter().map(|(_, label)| label.as_str()).collect();
+        labels.dedup();
+        match labels.len() {
+            0 => self.node.get("pick").map_or_else(String::new, |pick| pick.json().to_string()),
+            few if few <= 4 => labels.join(", "),
+            _ => format!("{}, …", labels[..4].join(", ")),
+        }
+    }
+}
+
+/// What stands in the recipe, for questions.
+fn what_is_there(items: &[Item<'_>]) -> String {
+    let names: Vec<String> = items.iter().map(Item::names).collect();
+    if names.is_empty() { "there are no objects".to_owned() } else { format!("there are {}", names.join("; ")) }
+}
+
+fn nothing(which: &Which, items: &[Item<'_>]) -> Problem {
+    Problem::whole(
+        format!("the recipe has no {}", which.called),
+        format!("{}; name one of these", what_is_there(items)),
+    )
+}
+
+fn own_list(subject: &Subject) -> Result<(), Problem> {
+    match subject.said("objects") {
+        Some((_, Whose::Included)) => {
+            Err(Problem::whole("the objects stand in an included file", "change that file: a list is taken whole"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// All of a kind go: whole items, or their models out of a list of several.
+pub(super) fn remove(subject: &Subject, known: &Known, which: &Which) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    let items = items(subject, known);
+    let mut acts = Acts::default();
+    for item in items.iter().rev() {
+        acts = match item.has(which) {
+            Has::All => acts.with(Acts::one(Act::Remove { path: item.path.clone() })),
+            Has::Some => acts.with(without(item, which)),
+            Has::None => acts,
+        };
+    }
+    if acts.acts.is_empty() {
+        return Err(nothing(which, &items));
+    }
+    refuse_orphans(&items, &acts, which)?;
+    Ok(acts)
+}
+
+/// An item of several models, without some.
+fn without(item: &Item<'_>, which: &Which) -> Acts {
+    let named = |label: &String| which.labels.contains(label);
+    let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
+    let mut uids: Vec<Node> = rest.map(|(uid, _)| word(uid)).collect();
+    let value = if uids.len() == 1 { uids.remove(0) } else { list(uids) };
+    let pick = item.node.get("pick");
+    let is_listed = pick.and_then(|pick| pick.get("uid")).is_some();
+    if is_listed {
+        return Acts::one(Act::set(format!("{}.pick.uid", item.path), value));
+    }
+    let catalog = pick.and_then(|pick| pick.get("catalog")).cloned().unwrap_or_else(|| word(""));
+    let note = format!("`{}.pick` lists its models now: all that it had but {}", item.path, which.called);
+    Acts::one(Act::set(format!("{}.pick", item.path), map([("catalog", catalog), ("uid", value)]))).note(note)
+}
+
+/// Refuses to leave objects beside, on or against what is there no more.
+fn refuse_orphans(items: &[Item<'_>], acts: &Acts, which: &Which) -> Result<(), Problem> {
+    let goes = |item: &Item<'_>| acts.acts.iter().any(|act| act.path() == item.path);
+    let stays: Vec<&Item<'_>> = items.iter().filter(|item| !goes(item)).collect();
+    for item in &stays {
+        let Some((path, of)) = pose::refers_to(item.node) else { continue };
+        let there = |other: &&&Item<'_>| other.index != item.index && other.is_called(of);
+        let was_there = items.iter().any(|other| goes(other) && other.is_called(of));
+        if was_there && !stays.iter().any(|other| there(&other)) {
+            let what = format!("{} stands by the {of} (`{}.{path}`)", item.names(), item.path);
+            return Err(Problem::whole(
+                what,
+                format!("remove it, too: `remove the {} and the {}`", which.called, item.names()),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// All objects go.
+pub(super) fn clear(subject: &Subject) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    match subject.said("objects") {
+        Some((node, _)) if !node.items().is_empty() => Ok(Acts::one(Act::set("objects", list(Vec::new())))),
+        _ => Ok(Acts::default().note("there are no objects in the recipe")),
+    }
+}
+
+/// Objects more.
+pub(super) fn add(subject: &Subject, known: &Known, addition: &Addition) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    let items = items(subject, known);
+    let wanted = pick_of(&addition.thing.models);
+    let same = |item: &&Item<'_>| item.node.get("pick").is_some_and(|pick| pick.json() == wanted.json());
+    let places = addition.stands.iter().any(|stand| !matches!(stand, Stand::Resting));
+    if addition.is_more
+        && !places
+        && let Some(item) = items.iter().find(same)
+        && let Count::Exactly(more) = addition.count
+    {
+        return moved(subject, item, Move::By(f64::from(more)));
+    }
+    let posing = Posing { subject, items: &items };
+    let pose = posing.pose(&addition.thing, &addition.stands)?;
+    let mut entries = Vec::new();
+    let asset_label = addition.thing.models.label.as_deref();
+    if asset_label != Some(addition.thing.label.as_str()) && asset_label.is_none() {
+        entries.push(("label", word(&addition.thing.label)));
+    }
+    entries.push(("pick", wanted));
+    if addition.count != Count::Exactly(1) {
+        entries.push(("count", count_of(addition.count)));
+    }
+    entries.extend(pose.clear_m.map(|clear_m| ("clear_m", numeral(clear_m))));
+    entries.extend(pose.value.map(|pose| ("pose", pose)));
+    let mut acts = Acts::one(Act::Insert { list: "objects".to_owned(), index: items.len(), value: map(entries) });
+    acts.notes = pose.notes;
+    Ok(acts)
+}
+
+/// What a recipe says of models.
+fn pick_of(models: &Models) -> Node {
+    let catalog = ("catalog", word(&models.catalog));
+    match &models.label {
+        Some(label) if models.is_whole_label && models.uids.len() > 1 => map([catalog, ("label", word(label))]),
+        _ => {
+            let mut uids: Vec<Node> = models.uids.iter().map(|uid| word(uid)).collect();
+            let value = if uids.len() == 1 { uids.remove(0) } else { list(uids) };
+            map([catalog, ("uid", value)])
+        }
+    }
+}
+
+fn count_of(count: Count) -> Node {
+    match count {
+        Count::Exactly(count) => numeral(f64::from(count)),
+        Count::Between(least, most) => map([("int", list(vec![numeral(f64::from(least)), numeral(f64::from(most))]))]),
+    }
+}
+
+/// Other models in the stead of some.
+pub(super) fn swap(subject: &Subject, known: &Known, which: &Which, thing: &Named) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    let items = items(subject, known);
+    let wanted = pick_of(&thing.models);
+    let mut acts = Acts::default();
+    for item in &items {
+        match item.has(which) {
+            Has::None => {}
+            Has::All => {
+                acts.acts.push(Act::set(format!("{}.pick", item.path), wanted.clone()));
+                if let Some(label) = item.node.get("label").and_then(Node::text) {
+                    acts.acts.push(Act::set(format!("{}.label", item.path), word(&thing.label)));
+                    let by = items.iter().filter_map(|other| Some((other, pose::refers_to(other.node)?)));
+                    let by = by.filter(|(_, (_, of))| *of == label);
+                    acts.acts.extend(
+                        by.map(|(other, (path, _))| Act::set(format!("{}.{path}", other.path), word(&thing.label))),
+                    );
+                }
+            }
+            Has::Some => {
+                let named = |label: &String| which.labels.contains(label);
+                let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
+                let mut uids: Vec<String> = rest.map(|(uid, _)| uid.clone()).collect();
+                uids.extend(
+                    thing.models.uids.iter().filter(|uid| !item.models.iter().any(|(own, _)| own == *uid)).cloned(),
+                );
+                let uids = list(uids.iter().map(|uid| word(uid)).collect());
+                acts.acts.push(Act::set(format!("{}.pick.uid", item.path), uids));
+            }
+        }
+    }
+    if acts.acts.is_empty() { Err(nothing(which, &items)) } else { Ok(acts) }
+}
+
+/// Another number of some.
+pub(super) fn number(subject: &Subject, known: &Known, which: &Which, number: NumberOf) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    let items = items(subject, known);
+    let whole: Vec<&Item<'_>> = items.iter().filter(|item| item.has(which) == Has::All).collect();
+    let mixed = items.iter().find(|item| item.has(which) == Has::Some);
+    match (&whole[..], mixed, number) {
+        ([], Some(item), _) => {
+            let what =
+                format!("{} are some of what `{}` picks, and its count is for all of them", which.called, item.path);
+            let help = format!(
+                "change the count of all with --set {}.count=…, or add some: `add two {}`",
+                item.path, which.called
+            );
+            Err(Problem::whole(what, help))
+        }
+        ([], None, _) => Err(nothing(which, &items)),
+        ([item], _, NumberOf::Count(count)) => values::set(subject, &format!("{}.count", item.path), count_of(count)),
+        ([_, _, ..], _, NumberOf::Count(_)) => {
+            let paths: Vec<&str> = whole.iter().map(|item| item.path.as_str()).collect();
+            let what = format!("{} are at several places: {}", which.called, paths.join(", "));
+            Err(Problem::whole(what, format!("say which with --set {}.count=…", paths[0])))
+        }
+        (all, _, NumberOf::Moved(how)) => {
+            all.iter().try_fold(Acts::default(), |acts, item| Ok(acts.with(moved(subject, item, how)?)))
+        }
+    }
+}
+
+/// More or fewer of an item.
+fn moved(subject: &Subject, item: &Item<'_>, how: Move) -> Result<Acts, Problem> {
+    let path = format!("{}.count", item.path);
+    let one = numeral(1.0);
+    let there = subject.said(&path).map_or(&one, |(node, _)| node);
+    let moved = if let Some(count) = there.number() {
+        Some(numeral(how.of(count).round().max(0.0)))
+    } else {
+        numbers::moved(there, how)
+    };
+    match moved {
+        Some(value) => Ok(Acts::one(Act::set(path, value))),
+        None => Err(Problem::whole(
+            format!("`{path}` is {}", there.describe()),
+            format!("say the whole count: --set {path}=…"),
+        )),
+    }
+}
+
+/// How some stand.
+pub(super) fn stand(subject: &Subject, known: &Known, which: &Which, stands: &[Stand]) -> Result<Acts, Problem> {
+    own_list(subject)?;
+    let items = items(subject, known);
+    if items.iter().all(|item| item.has(which) == Has::None) {
+        return Err(nothing(which, &items));
+    }
+    let whole: Vec<&Item<'_>> = items.iter().filter(|item| item.has(which) == Has::All).collect();
+    if whole.is_empty() {
+        let what = format!("{} are among others of one item, which stand alike", which.called);
+        return Err(Problem::whole(what, "say it of all of them with --set, or add some of their own"));
+    }
+    let posing = Posing { subject, items: &items };
+    whole.iter().try_fold(Acts::default(), |acts, item| Ok(acts.with(posing.changed(item, stands)?)))
+}
+
+/// Whether a recipe has what somebody calls so.
+pub(in crate::draft::edit) fn has(subject: &Subject, known: &Known, which: &Which) -> bool {
+    items(subject, known).iter().any(|item| item.has(which) != Has::None)
+}
+
+/// The label by which poses refer to what somebody calls so.
+pub(in crate::draft::edit) fn label_of(subject: &Subject, known: &Known, which: &Which) -> Option<String> {
+    let items = items(subject, known);
+    let of_item = |item: &Item<'_>, wanted: Has| {
+        if item.has(which) != wanted {
+            return None;
+        }
+        let own = item.node.get("label").and_then(Node::text).map(str::to_owned);
+        own.or_else(|| item.models.iter().find(|(uid, _)| which.uids.contains(uid)).map(|(_, label)| label.clone()))
+    };
+    [Has::All, Has::Some].into_iter().find_map(|wanted| items.iter().find_map(|item| of_item(item, wanted)))
+}
