@@ -117,7 +117,6 @@ pub(super) fn remove(subject: &Subject, known: &Known, which: &Which) -> Result<
     if acts.acts.is_empty() {
         return Err(nothing(which, &items));
     }
-    refuse_orphans(&items, &acts, which)?;
     Ok(acts)
 }
 
@@ -137,23 +136,16 @@ fn without(item: &Item<'_>, which: &Which) -> Acts {
     Acts::one(Act::set(format!("{}.pick", item.path), map([("catalog", catalog), ("uid", value)]))).note(note)
 }
 
-/// Refuses to leave objects beside, on or against what is there no more.
-fn refuse_orphans(items: &[Item<'_>], acts: &Acts, which: &Which) -> Result<(), Problem> {
-    let goes = |item: &Item<'_>| acts.acts.iter().any(|act| act.path() == item.path);
-    let stays: Vec<&Item<'_>> = items.iter().filter(|item| !goes(item)).collect();
-    for item in &stays {
-        let Some((path, of)) = pose::refers_to(item.node) else { continue };
-        let there = |other: &&&Item<'_>| other.index != item.index && other.is_called(of);
-        let was_there = items.iter().any(|other| goes(other) && other.is_called(of));
-        if was_there && !stays.iter().any(|other| there(&other)) {
-            let what = format!("{} stands by the {of} (`{}.{path}`)", item.names(), item.path);
-            return Err(Problem::whole(
-                what,
-                format!("remove it, too: `remove the {} and the {}`", which.called, item.names()),
-            ));
-        }
-    }
-    Ok(())
+/// Objects whose pose refers to what no other object is called: what they are called, where it is said, and to what.
+pub(super) fn orphans(subject: &Subject, known: &Known) -> Vec<[String; 3]> {
+    let items = items(subject, known);
+    let alone =
+        |item: &&Item<'_>, of: &str| !items.iter().any(|other| other.index != item.index && other.is_called(of));
+    let orphan = |item: &Item<'_>| {
+        let (path, of) = pose::refers_to(item.node)?;
+        alone(&item, of).then(|| [item.names(), format!("{}.{path}", item.path), of.to_owned()])
+    };
+    items.iter().filter_map(orphan).collect()
 }
 
 /// All objects go.
@@ -170,7 +162,8 @@ pub(super) fn add(subject: &Subject, known: &Known, addition: &Addition) -> Resu
     own_list(subject)?;
     let items = items(subject, known);
     let wanted = pick_of(&addition.thing.models);
-    let same = |item: &&Item<'_>| item.node.get("pick").is_some_and(|pick| pick.json() == wanted.json());
+    let uids = &addition.thing.models.uids;
+    let same = |item: &&Item<'_>| !item.models.is_empty() && item.models.iter().all(|(uid, _)| uids.contains(uid));
     let places = addition.stands.iter().any(|stand| !matches!(stand, Stand::Resting));
     if addition.is_more
         && !places
@@ -221,22 +214,11 @@ fn count_of(count: Count) -> Node {
 pub(super) fn swap(subject: &Subject, known: &Known, which: &Which, thing: &Named) -> Result<Acts, Problem> {
     own_list(subject)?;
     let items = items(subject, known);
-    let wanted = pick_of(&thing.models);
     let mut acts = Acts::default();
     for item in &items {
         match item.has(which) {
             Has::None => {}
-            Has::All => {
-                acts.acts.push(Act::set(format!("{}.pick", item.path), wanted.clone()));
-                if let Some(label) = item.node.get("label").and_then(Node::text) {
-                    acts.acts.push(Act::set(format!("{}.label", item.path), word(&thing.label)));
-                    let by = items.iter().filter_map(|other| Some((other, pose::refers_to(other.node)?)));
-                    let by = by.filter(|(_, (_, of))| *of == label);
-                    acts.acts.extend(
-                        by.map(|(other, (path, _))| Act::set(format!("{}.{path}", other.path), word(&thing.label))),
-                    );
-                }
-            }
+            Has::All => acts = acts.with(swapped(item, &items, thing)),
             Has::Some => {
                 let named = |label: &String| which.labels.contains(label);
                 let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
@@ -250,6 +232,27 @@ pub(super) fn swap(subject: &Subject, known: &Known, which: &Which, thing: &Name
         }
     }
     if acts.acts.is_empty() { Err(nothing(which, &items)) } else { Ok(acts) }
+}
+
+/// An item with other models; what stands by it refers to them then.
+fn swapped(item: &Item<'_>, items: &[Item<'_>], thing: &Named) -> Acts {
+    let mut acts = Acts::one(Act::set(format!("{}.pick", item.path), pick_of(&thing.models)));
+    let own = item.node.get("label").and_then(Node::text);
+    let new = match (own, &thing.models.label) {
+        (None, Some(label)) => label,
+        _ => &thing.label,
+    };
+    if own.is_some() || thing.models.label.is_none() {
+        acts.acts.push(Act::set(format!("{}.label", item.path), word(new)));
+    }
+    for other in items {
+        if let Some((path, of)) = pose::refers_to(other.node)
+            && item.is_called(of)
+        {
+            acts.acts.push(Act::set(format!("{}.{path}", other.path), word(new)));
+        }
+    }
+    acts
 }
 
 /// Another number of some.
