@@ -1,9 +1,9 @@
 //! `ensonify draft --llm` against a server that fails in every way: a valid draft or one clear error with exit code 2, in
 //! bounded time, and the key nowhere but in the request.
 
-mod support;
 #[path = "support/fake_llm.rs"]
 mod fake_llm;
+mod support;
 
 use std::process::Output;
 use std::time::{Duration, Instant};
@@ -27,7 +27,21 @@ fn draft(desk: &Desk, url: &str, prompt: &str) -> Output {
     let starter = concat!(env!("CARGO_MANIFEST_DIR"), "/catalogs/starter");
     let begun = Instant::now();
     let output = desk
-        .command(&["draft", prompt, "-o", "a.yaml", "--quick", "--catalog", starter, "--llm", url, "--model", "small", "--timeout", "2"])
+        .command(&[
+            "draft",
+            prompt,
+            "-o",
+            "a.yaml",
+            "--quick",
+            "--catalog",
+            starter,
+            "--llm",
+            url,
+            "--model",
+            "small",
+            "--timeout",
+            "2",
+        ])
         .env("ENSONIFY_LLM_KEY", SECRET)
         .env_remove("OPENAI_API_KEY")
         .output()
@@ -130,7 +144,12 @@ fn servers_that_give_no_answer_are_one_clear_error() {
 fn servers_that_recover_or_understand_less_are_no_error() {
     let right = right().to_string();
     let fenced = format!("Sure! Here is the form:\n```json\n{right}\n```");
-    for first in [Play::loading(), Play::refuses(500, "json_schema is not supported"), Play::refuses(400, "response_format"), Play::ClosesInTheMiddle] {
+    for first in [
+        Play::loading(),
+        Play::refuses(500, "json_schema is not supported"),
+        Play::refuses(400, "response_format"),
+        Play::ClosesInTheMiddle,
+    ] {
         for text in [&right, &fenced] {
             let (first, second) = (first.clone(), Play::Says(text.clone()));
             let server = FakeLlm::new(move |number, _| if number == 0 { first.clone() } else { second.clone() });
@@ -148,12 +167,16 @@ fn an_answer_that_is_none_is_asked_for_again_and_then_done_without() {
         (Play::Says("I would rather not.".into()), "no JSON object"),
         (Play::Says(String::new()), "empty"),
         (Play::IsCut(r#"{"images": 50, "objects": [{"name": "ti"#.into()), "cut at the most tokens"),
-        (Play::Says(json!({"images": 50, "objects": [], "bottom": "lava", "depth_m": 12}).to_string()), "`lava` is none of"),
+        (
+            Play::Says(json!({"images": 50, "objects": [], "bottom": "lava", "depth_m": 12}).to_string()),
+            "`lava` is none of",
+        ),
         (Play::Says(many.to_string()), "too many"),
         (Play::Says("[".repeat(100_000)), "no JSON object"),
     ] {
         let again = bad.clone();
-        let server = FakeLlm::new(move |number, _| if number == 0 { again.clone() } else { Play::Says(right().to_string()) });
+        let server =
+            FakeLlm::new(move |number, _| if number == 0 { again.clone() } else { Play::Says(right().to_string()) });
         let desk = Desk::new();
         let output = draft(&desk, &server.url(), PROMPT);
         assert_eq!(output.status.code(), Some(0), "{}", messages(&output));
@@ -186,7 +209,9 @@ fn numbers_of_the_prompt_count_where_the_model_will_not_take_them() {
 #[test]
 fn what_cannot_be_is_refused_before_the_model_is_asked() {
     let server = FakeLlm::says(&right().to_string());
-    for prompt in ["Zero images of an anchor", "Five to three barrels at 20 m", "Make the bottom muddier and the water darker"] {
+    for prompt in
+        ["Zero images of an anchor", "Five to three barrels at 20 m", "Make the bottom muddier and the water darker"]
+    {
         let output = draft(&Desk::new(), &server.url(), prompt);
         assert_eq!(output.status.code(), Some(2), "{prompt}: {}", messages(&output));
     }
@@ -208,7 +233,14 @@ fn texts(value: &Value, out: &mut Vec<String>) {
 
 #[test]
 fn what_a_model_says_gets_nowhere_but_through_the_form() {
-    let evil = ["../../../../etc/passwd", "http://evil.example/x.glb", "!include /etc/passwd", "$(touch pwned)", "a\nseed: 666\n", "\u{1b}[2J"];
+    let evil = [
+        "../../../../etc/passwd",
+        "http://evil.example/x.glb",
+        "!include /etc/passwd",
+        "$(touch pwned)",
+        "a\nseed: 666\n",
+        "\u{1b}[2J",
+    ];
     for text in evil {
         let form = json!({"images": 50, "objects": [{"name": "tire", "count": 2}, {"name": text, "count": 1}], "bottom": "sand",
             "depth_m": 12, "without": [text], "sonar": text, "refusal": text});

@@ -23,6 +23,13 @@ pub(in crate::draft) fn sense(wish: &Wish) -> Result<(), Refusal> {
     sizes(wish, &mut problems);
     counts(wish, &mut problems);
     sonar(wish, &mut problems);
+    if let Some(splits) = &wish.splits {
+        let sum: f64 = splits.value.shares.iter().sum();
+        if (sum - 1.0).abs() > 0.02 {
+            let what = format!("shares of training, validation and test that add up to {} %", short(sum * 100.0));
+            problems.push(problem(splits, what, "say shares that add up to 100 %, such as 80/10/10"));
+        }
+    }
     if problems.is_empty() { Ok(()) } else { Err(Refusal { problems }) }
 }
 
@@ -75,6 +82,10 @@ fn water(wish: &Wish, problems: &mut Vec<Problem>) {
 
 /// What is over the bottom must be under the surface.
 fn heights(wish: &Wish, problems: &mut Vec<Problem>) {
+    if let Some(altitude) = wish.path.altitude_m.as_ref().filter(|said| said.value.ends()[0] <= 0.0) {
+        let what = format!("a sonar {} m above the bottom: that is in the ground", short(altitude.value.ends()[0]));
+        problems.push(problem(altitude, what, "say a height above 0"));
+    }
     let Some(depth) = &wish.water.depth_m else { return };
     let deepest = depth.value.ends()[1];
     let mut over = |said: &Said<Amount>, what: &str| {

@@ -31,17 +31,6 @@ fn held(recipe: &str, expected: &str) -> Vec<Mark> {
     score(&case(expected), &checked(recipe), &vocabulary())
 }
 
-/// What `check` says of a recipe's text.
-fn checked(recipe: &str) -> Outcome {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("drafted.yaml");
-    std::fs::write(&path, recipe).expect("written");
-    match Drafted::load(&path) {
-        Ok(drafted) => Outcome::Drafted(Box::new(drafted)),
-        Err(fault) => Outcome::Invalid(fault),
-    }
-}
-
 /// Asserts that every field is right, or that every field is wrong.
 fn each(recipe: &str, fields: &[&str], right: bool) {
     for expected in fields {

@@ -74,14 +74,25 @@ pub fn misses(results: &[Result]) -> String {
         if missed.is_empty() && result.fault.is_none() {
             continue;
         }
-        let _ = writeln!(out, "- {}", result.prompt.replace('\n', "⏎"));
+        let _ = writeln!(out, "- {}", on_a_line(&result.prompt));
         if let Some(fault) = &result.fault {
-            let _ = writeln!(out, "    neither valid nor clearly refused: {}", fault.replace('\n', " ⏎ "));
+            let _ = writeln!(out, "    neither valid nor clearly refused: {}", on_a_line(fault));
+        }
+        // A draft that is none misses every field for the same reason.
+        let why = missed.first().map(|mark| &mark.found);
+        if missed.len() > 1 && missed.iter().all(|mark| Some(&mark.found) == why) {
+            let fields: Vec<&str> = missed.iter().map(|mark| mark.field.as_str()).collect();
+            let why = why.filter(|why| result.fault.as_ref() != Some(*why)).map_or(String::new(), |why| on_a_line(why));
+            let _ = writeln!(out, "    {} fields ({}): {why}", fields.len(), fields.join(", "));
+            continue;
         }
         for Mark { field, expected, found, .. } in missed {
-            let found = found.replace('\n', " ⏎ ");
-            let _ = writeln!(out, "    {field}: expected {expected}, found {found}");
+            let _ = writeln!(out, "    {field}: expected {expected}, found {}", on_a_line(found));
         }
     }
     out
+}
+
+fn on_a_line(text: &str) -> String {
+    text.replace('\n', " ⏎ ")
 }

@@ -111,7 +111,7 @@ pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>, erro
 
 /// How many half errors lead from one word to the other. What fingers do most counts half: a letter doubled or not, two
 /// neighbours swapped. All letters in another order behind the first count one and a half.
-fn half_errors(word: &str, other: &str) -> usize {
+pub(crate) fn half_errors(word: &str, other: &str) -> usize {
     let once = |word: &str| {
         let mut letters: Vec<char> = word.chars().collect();
         letters.dedup();

@@ -66,6 +66,19 @@ pub(super) fn assumed(reason: &str) -> String {
     format!("assumed: {reason}")
 }
 
+/// Several reasons in one comment; what is assumed comes last, and says so once.
+pub(super) fn joined(reasons: impl IntoIterator<Item = String>) -> String {
+    let begin = assumed("");
+    let (assumed, said): (Vec<String>, Vec<String>) =
+        reasons.into_iter().filter(|why| !why.is_empty()).partition(|why| why.starts_with(&begin));
+    let mut parts = said;
+    let rules: Vec<&str> = assumed.iter().filter_map(|why| why.strip_prefix(&begin)).collect();
+    if !rules.is_empty() {
+        parts.push(format!("{begin}{}", rules.join("; ")));
+    }
+    parts.join("; ")
+}
+
 impl Figure {
     /// Chosen by a rule.
     pub fn assumed(amount: Amount, reason: &str) -> Self {

@@ -55,7 +55,9 @@ fn unsaid(asked: &Asked, structure: Option<&Structure>, placings: &[Placing]) ->
         return (Some(Figure::assumed(Amount::Exactly(depth), "the tank is full")), depth);
     }
     let most = |said: &Option<Said<Amount>>| said.as_ref().map_or(0.0, |said| said.value.ends()[1]);
-    let over = most(&path.altitude_m).max(path.position_m.as_ref().map_or(0.0, |said| said.value[2].max(0.0)));
+    let places = path.position_m.iter().map(|said| said.value);
+    let places = places.chain(path.points_m.iter().flat_map(|said| said.value.iter().copied()));
+    let over = places.map(|place| place[2]).fold(most(&path.altitude_m), f64::max);
     let dive = match path.route.as_ref().map(|said| &said.value) {
         Some(Route::Dive { depth_m, .. }) => *depth_m,
         _ => 0.0,
@@ -133,6 +135,17 @@ fn altitude(asked: &Asked, depth: Option<&Said<Amount>>, least_m: f64) -> Result
             return Err(asked.problem(&said.source, what, "write a lower place, or deeper water"));
         }
         return Ok(Some(Figure { amount: Amount::Exactly(height), why: asked.why(&said.source) }));
+    }
+    if let Some(said) = &path.points_m {
+        let heights = said.value.iter().map(|point| super::placing::at_height(point[2], least_m));
+        let count = said.value.len().max(1) as f64;
+        let mean = super::way::exact_m(heights.clone().sum::<f64>() / count);
+        let highest = heights.fold(0.0, f64::max);
+        if depth.is_some() && highest >= least_m {
+            let what = format!("{highest} m above the bottom is out of the water, which is {least_m} m deep");
+            return Err(asked.problem(&said.source, what, "write lower places, or deeper water"));
+        }
+        return Ok(Some(Figure { amount: Amount::Exactly(mean), why: asked.why(&said.source) }));
     }
     Ok(None)
 }

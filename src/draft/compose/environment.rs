@@ -25,10 +25,20 @@ pub(super) fn write(page: &mut Page, layout: &Layout) {
     page.blank();
     page.open(0, "environment", &structure.why);
     let parts = structure.kind.parts().join(", ");
-    page.set(2, "labels", &Yaml::word("by-part"), &format!("{parts}; `none` makes them background"));
+    match layout.labelled {
+        true => page.set(2, "labels", &Yaml::word("by-part"), &format!("{parts}; `none` makes them background")),
+        false => page.set(2, "labels", &Yaml::word("none"), &format!("background; `by-part` labels {parts}")),
+    }
     let (entries, why) = entries(structure, layout);
     page.open(2, "kind", "");
     page.set(4, structure.kind.name(), &Yaml::map(entries), &why);
+}
+
+/// Half the width of a pier or a harbour, metres.
+pub(super) fn half_width_m(structure: Option<&Structure>) -> f64 {
+    let Some(structure) = structure else { return 0.0 };
+    let usual = if structure.kind == Kind::Pier { PIER_WIDTH_M } else { HARBOUR_WIDTH_M };
+    0.5 * structure.said_m[1].unwrap_or(usual)
 }
 
 /// Half of the longest side that stands on the seabed, metres.
@@ -89,6 +99,7 @@ fn entries(structure: &Structure, layout: &Layout) -> (Vec<(&'static str, Yaml)>
                 number("length_m", length, LENGTHS_M[2]),
                 number("width_m", width, HARBOUR_WIDTH_M.max((2.0 * orbit + 5.0).ceil())),
                 number("height_m", height, top),
+                ("dolphins", Yaml::whole(0)),
             ];
             (entries, said("the vehicle has room between the quays"))
         }

@@ -2,7 +2,7 @@
 
 use super::asked::{Asked, Figure, assumed};
 use super::depth::{Depth, UNDER_SURFACE_M, depth};
-use super::placing::{Kind as Pose, Place, Placing};
+use super::placing::{Kind as Pose, Place, Placing, beside_heaps};
 use super::structure::{Kind, Structure};
 use super::view::{Terms, View};
 use super::way::{Form, Going, Ground, Things, Way, altitude_of, exact_m, form};
@@ -20,8 +20,14 @@ const OF_THE_BOTTOM_M: f64 = 7.0;
 /// Where things float that nobody gave a height, metres over the bottom, and the part of the depth they keep below.
 const MID_WATER_M: [f64; 2] = [1.0, 3.0];
 const MID_WATER: f64 = 0.6;
+/// The same in a net pen, parts of the depth.
+const IN_PEN: [f64; 2] = [0.5, 0.7];
+/// Part of a device's range at which things are looked at, at most.
+const USED: f64 = 0.6;
 /// Over the farthest thing and its shadow.
 const BEYOND: f64 = 1.08;
+/// Highest middle that the beam is tilted for where things are passed on lines, metres.
+const ON_LINES_M: f64 = 0.3;
 /// Over the distance where things are passed on lines.
 const BEYOND_ON_LINES: f64 = 1.9;
 /// Where a range begins: near, of far ranges farther.
@@ -50,8 +56,12 @@ pub(super) struct Layout<'a> {
     /// Middle of the disc on which things are scattered, and its radius, metres.
     pub centre_m: [f64; 2],
     pub field_m: f64,
-    /// Half sides of the rectangle of scattered things, where they are passed on lines: along x and y, metres.
-    pub area_m: Option<[f64; 2]>,
+    /// The rectangle of scattered things, where they are passed on lines: its lowest and its highest corner, metres.
+    pub area_m: Option<[[f64; 2]; 2]>,
+    /// Whether the things have less room than they need, because no more is in view.
+    pub crowded: bool,
+    /// Whether parts of the structure are labelled, and so looked at as objects are.
+    pub labelled: bool,
     /// Where things float that nobody gave a height.
     pub mid_water_m: [f64; 2],
     pub extent_m: f64,
@@ -74,11 +84,12 @@ struct Sizes {
 impl<'a> Layout<'a> {
     pub fn of(asked: &'a Asked<'a>, notes: &mut Vec<String>) -> Result<Self, Refusal> {
         let structure = Structure::of(asked)?;
-        let placings: Vec<Placing> = asked.wish.things.iter().map(|thing| Placing::of(thing, asked, notes)).collect();
+        let mut placings: Vec<Placing> =
+            asked.wish.things.iter().map(|thing| Placing::of(thing, asked, notes)).collect();
+        beside_heaps(&mut placings);
         let depth = depth(asked, structure.as_ref(), &placings)?;
         fits(asked, structure.as_ref(), &placings)?;
-        let high = (MID_WATER * depth.least_m).min(MID_WATER_M[1]);
-        let mid_water_m = [MID_WATER_M[0].min(0.5 * high), high].map(sight::round);
+        let mid_water_m = mid_water(&depth, structure.as_ref());
         let sizes = Sizes::of(&placings, depth.least_m, mid_water_m);
         let solved = solve(asked, structure.as_ref(), &placings, &depth, sizes)?;
         let Solved { view, going, device, device_why, near_m, far_m, .. } = solved;
@@ -89,7 +100,11 @@ impl<'a> Layout<'a> {
             _ => altitude_of(asked, &view),
         };
         let centre_m = centre(&going.way, &view, asked);
-        let (field_m, area_m) = scattering(&going.way, &view, sizes);
+        let (field_m, area_m) = scattering(&going.way, &view, sizes, structure.as_ref());
+        let crowded = area_m.is_none() && field_m < sight::round(sizes.field_m);
+        let at_structure = placings.iter().any(|placing| is_at(structure.as_ref(), placing));
+        let background = structure.as_ref().is_some_and(|structure| structure.kind == Kind::Tank);
+        let labelled = at_structure || !(background || matches!(going.way, Way::Views { .. }));
         let smallest = (sizes.smallest_m > 0.0).then_some(sizes.smallest_m);
         let reach_m = solved.reach_m + sizes.off_m;
         let structure_m = structure.as_ref().map_or(0.0, |s| super::environment::half_m(s, &going.way, far_m));
@@ -125,6 +140,8 @@ impl<'a> Layout<'a> {
             centre_m,
             field_m,
             area_m,
+            crowded,
+            labelled,
             mid_water_m,
             extent_m,
             cell_m,
@@ -155,6 +172,15 @@ impl<'a> Layout<'a> {
             Side::Right => -aside,
         }
     }
+}
+
+/// Heights where things float that nobody gave one; in a net pen above its floor.
+fn mid_water(depth: &Depth, structure: Option<&Structure>) -> [f64; 2] {
+    if structure.is_some_and(|structure| structure.kind == Kind::NetPen) {
+        return IN_PEN.map(|part| sight::round(part * depth.least_m));
+    }
+    let high = (MID_WATER * depth.least_m).min(MID_WATER_M[1]);
+    [MID_WATER_M[0].min(0.5 * high), high].map(sight::round)
 }
 
 impl Sizes {
@@ -320,6 +346,11 @@ fn solve(
     unreachable!("the third round returns")
 }
 
+/// Whether a thing leans on the structure, or lies beside it.
+pub(super) fn is_at(structure: Option<&Structure>, placing: &Placing) -> bool {
+    structure.is_some_and(|structure| structure.is_meant_by(&placing.manner.kind))
+}
+
 /// The device that was named, the one with the thinnest beam of several.
 fn said_device(asked: &Asked) -> Result<Option<(Device, String)>, Problem> {
     let Some(Said { value: names, source }) = &asked.wish.sonar.devices else { return Ok(None) };
@@ -351,25 +382,33 @@ fn terms<'a>(
     form: Form,
 ) -> Terms<'a> {
     let said = |said: &'a Option<Said<Amount>>| said.as_ref().map(|said| &said.value);
-    let natural = if sizes.longest_m > 0.0 { sight::distance_m(sizes.longest_m) } else { OF_THE_BOTTOM_M };
+    let natural = if sizes.longest_m > 0.0 {
+        sight::distance_of_all_m([sizes.smallest_m, sizes.longest_m])
+    } else {
+        OF_THE_BOTTOM_M
+    };
     let most_seen = said(&asked.wish.sonar.most_range_m).map_or(f64::INFINITY, |far| 0.7 * far.ends()[0]);
     let steps = |amount: &&Amount| !matches!(amount, Amount::Steps(..));
     let range = said(&asked.wish.path.range_m).filter(steps).filter(|_| form != Form::Approach).or(from_vehicle);
     // On lines and along walls things come by at all distances.
-    let passed = matches!(form, Form::Lawnmower | Form::Along);
+    let passed = matches!(form, Form::Lawnmower | Form::Along | Form::Through);
     // One at a time is looked at.
     let single = form == Form::Views || passed;
     Terms {
         range: range.filter(|_| !passed),
         altitude: depth.altitude.as_ref(),
         tilt: said(&asked.wish.sonar.pitch_deg),
-        natural_m: natural.min(most_seen),
+        natural_m: natural.min(most_seen).min(USED * device.range_m[1]),
         half_m: 0.5 * sizes.longest_m,
         field_m: if single { 0.0 } else { sizes.field_m },
-        heights_m: sizes.heights_m,
+        // Lines are flown for what lies on the bottom: what stands high is seen all the same.
+        heights_m: if passed { sizes.heights_m.map(|height| height.min(ON_LINES_M)) } else { sizes.heights_m },
         vertical_deg: device.vertical_deg,
         azimuth_deg,
-        most_m: most_seen.min(structure.map_or(f64::INFINITY, Structure::room_m)).max(0.5),
+        most_m: most_seen
+            .min(USED * device.range_m[1])
+            .min(structure.map_or(f64::INFINITY, Structure::room_m))
+            .max(0.5),
         ceiling_m: depth.least_m - UNDER_SURFACE_M.min(0.2 * depth.least_m),
     }
 }
@@ -403,7 +442,7 @@ fn far(asked: &Asked, form: Form, view: &View, sizes: Sizes, depth: &Depth) -> f
     let [_, highest] = view.altitude.amount.ends();
     let sight = view.sight;
     let far = match form {
-        Form::Lawnmower | Form::Along => BEYOND_ON_LINES * sight.slant_m(highest),
+        Form::Lawnmower | Form::Along | Form::Through => BEYOND_ON_LINES * sight.slant_m(highest),
         Form::Dive => sight.slant_m(depth.least_m),
         Form::Orbit | Form::Views | Form::Approach | Form::Hover => {
             let shadow = sight.shadow_m(view.altitude.amount.ends()[0], sizes.tallest_m);
@@ -422,6 +461,9 @@ fn far_of_way(asked: &Asked, way: &Way, far_m: f64, view: &View, sizes: Sizes) -
     let slant = match way {
         Way::Approach { from_m, to_m, .. } => sight::slant_m(from_m.max(*to_m) + view.field_m, height),
         Way::Views { range_m } => range_m.ends()[1],
+        Way::Dive { away_m, heights_m } => {
+            sight::slant_m(away_m + view.field_m, heights_m.iter().copied().fold(0.0, f64::max))
+        }
         Way::Orbit { radius_m, .. } => sight::slant_m(radius_m.ends()[1] + view.field_m, height),
         _ => return far_m,
     };
@@ -504,25 +546,42 @@ fn centre(way: &Way, view: &View, asked: &Asked) -> [f64; 2] {
 }
 
 /// Radius of the disc on which things are scattered; on lines a rectangle too.
-fn scattering(way: &Way, view: &View, sizes: Sizes) -> (f64, Option<[f64; 2]>) {
+fn scattering(way: &Way, view: &View, sizes: Sizes, structure: Option<&Structure>) -> (f64, Option<[[f64; 2]; 2]>) {
+    let about = |x: f64, y: f64| [[-x, -y], [x, y]];
     let beside = view.distance_m.ends()[0];
     match way {
         Way::Views { .. } => (sight::round(sizes.field_m), None),
         Way::Lawnmower { length_m, spacing_m, lines, heading_deg } => {
             let across = spacing_m * f64::from(lines - 1);
             let disc = sizes.field_m.max(0.45 * length_m.min(across.max(beside)));
-            let area = (*heading_deg == Amount::Exactly(0.0)).then(|| [0.5 * length_m, 0.5 * across.max(2.0)]);
+            let area = (*heading_deg == Amount::Exactly(0.0)).then(|| about(0.5 * length_m, 0.5 * across.max(2.0)));
             (sight::round(disc), area)
         }
         Way::Terrain { length_m, heading_deg, .. } => {
             let (along, across) = (0.5 * length_m, 0.6 * beside);
-            let area = match *heading_deg {
-                0.0 => Some([along, across]),
-                90.0 => Some([across, along]),
+            // Between the vehicle and the wall, else to both sides of its way.
+            let before = |wall: f64| [wall - 0.7 * beside, wall - 0.8];
+            let area = match (structure.map(|structure| structure.kind), *heading_deg) {
+                (Some(Kind::Dam), _) => {
+                    let [low, high] = before(super::environment::DAM_DISTANCE_M);
+                    Some([[low, -along], [high, along]])
+                }
+                (Some(Kind::Harbour), _) => {
+                    let [low, high] = before(super::environment::half_width_m(structure));
+                    Some([[-along, low], [along, high]])
+                }
+                // Under the pier too.
+                (Some(Kind::Pier), _) => {
+                    let half = super::environment::half_width_m(structure);
+                    Some([[-along, -half - 0.5 * beside], [along, 0.5 * half]])
+                }
+                (_, 0.0) => Some(about(along, across)),
+                (_, 90.0) => Some(about(across, along)),
                 _ => None,
             };
             (sight::round(sizes.field_m.max(across)), area.filter(|_| sizes.field_m > 0.0))
         }
+        Way::Through { .. } => (sight::round(sizes.field_m), None),
         Way::Orbit { .. } | Way::Approach { .. } | Way::Hover { .. } | Way::Dive { .. } => {
             (sight::round(view.field_m.min(sizes.field_m)), None)
         }
@@ -531,7 +590,7 @@ fn scattering(way: &Way, view: &View, sizes: Sizes) -> (f64, Option<[f64; 2]>) {
 
 /// The comment of a field's radius.
 pub(super) fn field_why(layout: &Layout) -> String {
-    match layout.view.field_m < layout.field_m {
+    match layout.crowded {
         true => assumed("no more fits into view"),
         false => assumed("room for all of them beside each other"),
     }

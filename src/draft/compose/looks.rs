@@ -9,6 +9,10 @@ use crate::draft::wish::LookChange;
 const NOISE_SIGMA: f64 = 0.005;
 /// Noise of the electronics as usual, dB, and how much a tenfold noise lifts it: below that images at short range show none.
 const NOISE_FIGURE_DB: [f64; 2] = [5.0, 40.0];
+/// Intensity that the chain shows white: of its default of 0.1 the bottom of most scenes has but a tenth.
+const WHITE: f64 = 0.03;
+/// Speckle that looks the same as the usual noise among looks of other speckle.
+const NOISE_AS_SPECKLE: f64 = 0.5;
 /// Most that a receiver may have, dB.
 const MOST_FIGURE_DB: f64 = 60.0;
 
@@ -71,7 +75,11 @@ fn model(changes: &[LookChange], speckled: bool) -> Option<Yaml> {
         }
         Some("physical") => Some(physical(noise)).flatten().or_else(|| Some(Yaml::word("physical"))),
         Some(_) => Some(deepsonar(speckle, noise)),
-        None if speckled => Some(deepsonar(speckle, noise)),
+        // Beside looks of other speckle, noise is meant to be seen as they are.
+        None if speckled => {
+            let as_speckle = noise.map(|noise| (NOISE_AS_SPECKLE * noise).min(1.0));
+            Some(deepsonar(speckle.or(as_speckle), noise))
+        }
         None => physical(noise),
     }
 }
@@ -80,8 +88,8 @@ fn deepsonar(speckle: Option<f64>, noise: Option<f64>) -> Yaml {
     let sigma = speckle.unwrap_or(1.0).clamp(0.0, 1.0);
     // Without speckle nobody means noise.
     let noise = noise.unwrap_or(if sigma == 0.0 { 0.0 } else { 1.0 }).clamp(0.0, 200.0);
-    let entries = [("speckle_sigma", Yaml::number(sigma)), ("noise_sigma", Yaml::number(NOISE_SIGMA * noise))];
-    Yaml::kind("deepsonar", entries)
+    let entries = [("speckle_sigma", sigma), ("noise_sigma", NOISE_SIGMA * noise), ("white", WHITE)];
+    Yaml::kind("deepsonar", entries.map(|(key, value)| (key, Yaml::number(value))))
 }
 
 fn physical(noise: Option<f64>) -> Option<Yaml> {

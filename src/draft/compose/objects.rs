@@ -1,7 +1,7 @@
 //! The list of objects: what is picked, how many, and its pose.
 
-use super::asked::{Asked, assumed};
-use super::layout::{Layout, field_why};
+use super::asked::{Asked, assumed, joined};
+use super::layout::{Layout, field_why, is_at};
 use super::page::Page;
 use super::placing::{Kind, Place, Placing, at_height};
 use super::structure::Structure;
@@ -71,6 +71,15 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
             page.set(4, "clear_m", &Yaml::amount(apart), "free water to any other object");
         } else if placing.manner.kind == Kind::Heap {
             page.set(4, "clear_m", &Yaml::number(0.0), &assumed("in a heap things touch"));
+        }
+        if layout
+            .structure
+            .as_ref()
+            .is_some_and(|structure| structure.kind.is_long() && is_at(Some(structure), placing))
+        {
+            let frames = Yaml::list([Yaml::whole(layout.budget.frames / 2)]);
+            let why = assumed("at a place of the wall that the frame in the middle sees");
+            page.set(4, "in_view", &Yaml::map([("frames", frames)]), &why);
         }
         let pose = Posing { asked, layout, placing };
         let (value, why) = pose.pose(notes);
@@ -179,7 +188,7 @@ impl Posing<'_> {
             why.push(reason);
         }
         let value = Yaml::map([(kind, Yaml::map(entries))]);
-        (value, why.into_iter().filter(|why| !why.is_empty()).collect::<Vec<_>>().join("; "))
+        (value, joined(why))
     }
 
     fn tip(&self, entries: &mut Entries) {
@@ -210,8 +219,8 @@ impl Posing<'_> {
         };
         match &self.placing.manner.place {
             Place::Anywhere => {
-                if let Some([x, y]) = layout.area_m.filter(|_| layout.placings.len() < 1000) {
-                    rectangle(entries, [-x, -y], [x, y]);
+                if let Some([low, high]) = layout.area_m {
+                    rectangle(entries, low, high);
                     return assumed("over the whole area");
                 }
                 at(entries, layout.centre_m, round((layout.field_m - less).max(0.2)));
@@ -293,7 +302,7 @@ impl Posing<'_> {
             entries.push(("school", Yaml::map([("radius_m", Yaml::number(radius))])));
         }
         reason.push(placed);
-        reason.into_iter().filter(|reason| !reason.is_empty()).collect::<Vec<_>>().join("; ")
+        joined(reason)
     }
 
     /// At a place with a height.

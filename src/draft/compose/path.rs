@@ -1,9 +1,8 @@
 //! The trajectory's section.
 
-use super::asked::{Asked, Figure, assumed};
+use super::asked::{Asked, Figure, assumed, joined};
 use super::layout::Layout;
 use super::page::Page;
-use super::structure::Kind;
 use super::way::{Way, distance_why};
 use super::yaml::Yaml;
 use crate::draft::wish::{Amount, Said};
@@ -24,7 +23,7 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
                 page.set(4, "arc_deg", &Yaml::number(*arc), "");
             }
             page.set(4, "start_deg", &Yaml::amount(start_deg), &assumed("each scene begins from another side"));
-            pen(page, layout);
+            centre(page, layout);
             speed(page, asked);
         }
         Way::Views { range_m } => {
@@ -55,6 +54,9 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
         }
         Way::Approach { from_m, to_m, course_deg } => {
             page.open(2, "approach", "");
+            if layout.structure.is_some() {
+                page.set(4, "of", &Yaml::word("origin"), &assumed("the middle of the things, not of the walls"));
+            }
             page.set(4, "from_m", &Yaml::number(*from_m), &format!("{}; in plan", distance_why(asked, &layout.view)));
             page.set(4, "to_m", &Yaml::number(*to_m), "");
             high(page, altitude);
@@ -62,6 +64,12 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
             speed(page, asked);
         }
         Way::Hover { place_m, yaw_deg } => hover(page, asked, layout, *place_m, *yaw_deg),
+        Way::Through { points_m } => {
+            let points = points_m.iter().map(|point| Yaml::list(point.map(Yaml::number)));
+            page.open(2, "waypoints", "");
+            page.set(4, "points_m", &Yaml::list(points), "z from the bottom up");
+            speed(page, asked);
+        }
         Way::Dive { away_m, heights_m } => {
             let points = heights_m.iter().map(|height| Yaml::list([-away_m, 0.0, *height].map(Yaml::number)));
             page.open(2, "waypoints", "");
@@ -89,12 +97,12 @@ fn speed(page: &mut Page, asked: &Asked) {
     }
 }
 
-/// Round a net pen, looking at the net's middle.
-fn pen(page: &mut Page, layout: &Layout) {
-    if layout.structure.as_ref().is_none_or(|structure| structure.kind != Kind::NetPen) {
+/// Where parts of a structure are labelled too, the middle of all is not that of the things.
+fn centre(page: &mut Page, layout: &Layout) {
+    if layout.structure.is_none() {
         return;
     }
-    page.set(4, "centre", &Yaml::word("origin"), &assumed("round the pen"));
+    page.set(4, "centre", &Yaml::word("origin"), &assumed("about the middle of the things, not of the walls"));
     page.set(4, "look_at", &Yaml::word("origin"), "");
 }
 
@@ -108,7 +116,7 @@ fn hover(page: &mut Page, asked: &Asked, layout: &Layout, [x, y]: [f64; 2], yaw_
     let value = Yaml::list([Yaml::number(x), Yaml::number(y), z]);
     let why = match &path.position_m {
         Some(said) => asked.why(&said.source),
-        None => format!("{}; {}", distance_why(asked, &layout.view), layout.altitude.why),
+        None => joined([distance_why(asked, &layout.view), layout.altitude.why.clone()]),
     };
     page.set(4, "position_m", &value, &why);
     let why = match &path.heading_deg {

@@ -43,6 +43,8 @@ pub(super) struct Manner<'a> {
     pub burial: Option<&'a Amount>,
     pub clear_m: Option<&'a Amount>,
     pub place: Place<'a>,
+    /// What all of them together are near.
+    pub beside: Option<Kind<'a>>,
     /// The words for all of it.
     pub words: Vec<&'a Source>,
 }
@@ -71,6 +73,30 @@ pub(super) enum Kind<'a> {
     },
 }
 
+impl Kind<'_> {
+    /// Whether each stands for itself.
+    fn is_single(&self) -> bool {
+        !matches!(self, Self::Heap | Self::Row(_) | Self::Float { school: true, .. })
+    }
+
+    /// How many there are where nobody says how many.
+    fn several(&self) -> [u32; 2] {
+        match self {
+            Self::Heap => room::IN_HEAP,
+            Self::Row(_) => room::IN_ROW,
+            Self::Float { school: true, .. } => room::IN_SCHOOL,
+            _ => room::SEVERAL,
+        }
+    }
+}
+
+/// Whether a thing is called by the singular of its English name.
+fn is_one(thing: &Thing) -> bool {
+    let last = |text: &str| text.rsplit([' ', '-']).next().unwrap_or_default().to_lowercase();
+    let name = last(&thing.label);
+    !name.is_empty() && !name.ends_with('s') && name != "fish" && last(&thing.called.value) == name
+}
+
 /// Where a thing is, if that is said.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) enum Place<'a> {
@@ -87,13 +113,19 @@ impl<'a> Placing<'a> {
         let mut manner = Manner::of(&thing.stands);
         let sizes = sizes(thing, asked);
         let (uids, bulk) = of_size(thing, sizes, notes);
-        if matches!(manner.kind, Kind::Float { moored: true, .. }) && uids.iter().all(|uid| uid == HAS_A_CHAIN) {
+        if let Kind::Float { over_m, under_m, .. } = manner.kind
+            && uids.iter().all(|uid| uid == HAS_A_CHAIN)
+        {
             manner.kind = Kind::Rest;
+            if over_m.or(under_m).is_some() {
+                notes.push(format!("{}: it hangs on a chain of its own, as long as the model's", thing.label));
+            }
         }
         let (count, count_why) = match &thing.count {
             Some(Said { value, source }) => (*value, asked.why(source)),
+            None if is_one(thing) && manner.kind.is_single() => (Count::Exactly(1), assumed("one, as it is called")),
             None => {
-                let [few, many] = room::SEVERAL;
+                let [few, many] = manner.kind.several();
                 (Count::Between(few, many), assumed("a few"))
             }
         };
@@ -160,6 +192,21 @@ impl<'a> Placing<'a> {
     }
 }
 
+/// What a heap or a row lies beside is put beside the heap: of the two that one can be.
+pub(super) fn beside_heaps<'a>(placings: &mut [Placing<'a>]) {
+    for heap in 0..placings.len() {
+        let Some(Kind::Near { of, side, distance_m }) = placings[heap].manner.beside.take() else { continue };
+        let label = &placings[heap].thing.label;
+        let free = |other: &&mut Placing<'a>| {
+            other.thing.label == of && other.manner.kind == Kind::Rest && other.manner.place == Place::Anywhere
+        };
+        let near = Kind::Near { of: label, side: side.map(Side::opposite), distance_m };
+        if let Some(other) = placings.iter_mut().find(free) {
+            other.manner.kind = near;
+        }
+    }
+}
+
 /// Height over the bottom of a place: below 0 it is told from the surface.
 pub(super) fn at_height(z: f64, depth_m: f64) -> f64 {
     if z < 0.0 { (depth_m + z).max(0.0) } else { z }
@@ -193,8 +240,8 @@ impl<'a> Manner<'a> {
                     *school = true;
                 }
             }
-            Stand::Heap => self.kind = Kind::Heap,
-            Stand::Row(spacing) => self.kind = Kind::Row(spacing.as_ref()),
+            Stand::Heap => self.together(Kind::Heap),
+            Stand::Row(spacing) => self.together(Kind::Row(spacing.as_ref())),
             Stand::Apart(distance) => match &mut self.kind {
                 Kind::Row(spacing) if spacing.is_none() => *spacing = Some(distance),
                 _ => self.clear_m = Some(distance),
@@ -202,7 +249,9 @@ impl<'a> Manner<'a> {
             Stand::Leaning(against) => self.kind = Kind::Leaning(against.as_deref()),
             Stand::On(of) => self.kind = Kind::On(of),
             Stand::Near { of, side, distance_m } => {
-                self.kind = Kind::Near { of, side: *side, distance_m: distance_m.as_ref() };
+                let near = Kind::Near { of, side: *side, distance_m: distance_m.as_ref() };
+                // A heap stays one: what it lies beside is put beside it.
+                if self.kind.is_single() { self.kind = near } else { self.beside = Some(near) }
             }
             Stand::FromVehicle { side, distance_m } => {
                 self.place = Place::FromVehicle(*side, distance_m.as_ref());
@@ -210,6 +259,14 @@ impl<'a> Manner<'a> {
             Stand::At(place, height) => self.place = Place::At(*place, *height),
             Stand::Within(from, to) => self.place = Place::Within(*from, *to),
             Stand::Around(radius) => self.place = Place::Around(radius),
+        }
+    }
+
+    /// All in one place; what they were said to be near stays said.
+    fn together(&mut self, kind: Kind<'a>) {
+        let before = std::mem::replace(&mut self.kind, kind);
+        if matches!(before, Kind::Near { .. }) {
+            self.beside = Some(before);
         }
     }
 

@@ -20,6 +20,11 @@ const DRAWN: [(&str, &str, [f64; 2]); 8] = [
     ("reef", "relief_m", [0.5, 1.2]),
     ("reef", "share", [0.15, 0.35]),
 ];
+/// Wave that cells of an eighth of a metre show: the least bumps of uneven ground need such cells.
+const BUMP_M: f64 = 0.75;
+/// Widest cell that shows those bumps, metres, and bumps over it where cells have to be wider.
+const BUMP_CELL_M: f64 = 0.125;
+const BUMP_CELLS: f64 = 2.5;
 /// Shapes with a direction.
 const DIRECTED: [&str; 4] = ["ripples", "sand-waves", "slope", "trench"];
 /// Keys of the height and of the distance from crest to crest of each shape.
@@ -55,7 +60,9 @@ pub(super) fn wave_m(asked: &Asked) -> Option<f64> {
     match shape(asked) {
         "ripples" => Some(said.unwrap_or(0.4)),
         "sand-waves" => Some(0.5),
-        _ => said,
+        "flat" | "height-map" => said,
+        // Ground has bumps down to 0.25 m, three cells of an eighth.
+        _ => Some(said.map_or(BUMP_M, |wave| wave.min(BUMP_M))),
     }
 }
 
@@ -75,7 +82,10 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout) {
     page.open(0, "seabed", "");
     page.set(2, "extent_m", &Yaml::number(layout.extent_m), &assumed("wider than the sonar sees"));
     page.set(2, "cell_m", &Yaml::number(layout.cell_m), &assumed("finer than the smallest object and wave"));
-    let (value, why) = shape_of(asked);
+    if let Some(fine) = crate::draft::infer::ground::fine_m(layout.extent_m) {
+        page.set(2, "fine_m", &Yaml::number(fine), &assumed("cells grow outside of the middle"));
+    }
+    let (value, why) = shape_of(asked, layout.cell_m);
     page.set(2, "shape", &value, &why);
     let (sediments, why) = match &seabed.sediments {
         Some(said) if !said.value.is_empty() => {
@@ -87,7 +97,7 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout) {
 }
 
 /// The shape with its parameters, as `{ripples: {…}}`.
-fn shape_of(asked: &Asked) -> (Yaml, String) {
+fn shape_of(asked: &Asked, cell_m: f64) -> (Yaml, String) {
     let seabed = &asked.wish.seabed;
     let name = shape(asked);
     let mut reasons = Vec::new();
@@ -115,6 +125,9 @@ fn shape_of(asked: &Asked) -> (Yaml, String) {
         if !entries.iter().any(|(said, _)| said == key) {
             entries.push((key, Yaml::uniform(*low, *high)));
         }
+    }
+    if name == "fractal" && cell_m > BUMP_CELL_M {
+        entries.push(("shortest_m", Yaml::number((BUMP_CELLS * cell_m * 100.0).ceil() / 100.0)));
     }
     if DIRECTED.contains(&name) {
         entries.push(("direction_deg", Yaml::uniform(0.0, 360.0)));

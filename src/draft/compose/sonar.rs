@@ -1,6 +1,6 @@
 //! The sonar's section.
 
-use super::asked::{Asked, assumed};
+use super::asked::{Asked, assumed, joined};
 use super::layout::Layout;
 use super::page::Page;
 use super::yaml::Yaml;
@@ -87,7 +87,7 @@ fn mount(page: &mut Page, asked: &Asked, layout: &Layout) {
         None => page.set(2, "mount", &Yaml::map([("pitch_deg", pitch)]), &pitch_why),
         Some((yaw, why)) => {
             let value = Yaml::map([("pitch_deg", pitch), ("yaw_deg", yaw)]);
-            page.set(2, "mount", &value, &format!("{pitch_why}; {why}"));
+            page.set(2, "mount", &value, &joined([pitch_why, why]));
         }
     }
 }

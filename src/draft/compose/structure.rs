@@ -61,6 +61,14 @@ impl Kind {
         }
     }
 
+    /// Whether it has a front that a vehicle passes.
+    pub fn is_long(self) -> bool {
+        match self {
+            Self::Pier | Self::Dam | Self::Harbour | Self::Pipeline => true,
+            Self::Tank | Self::NetPen => false,
+        }
+    }
+
     /// The part that things lean against and lie beside.
     pub fn part(self) -> &'static str {
         match self {

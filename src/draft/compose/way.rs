@@ -14,6 +14,8 @@ const FRAMES_ROUND: u64 = 10;
 const FRAMES_ALONG: u64 = 30;
 /// Most frames of one scene: beyond that several scenes teach more.
 const MOST_OF_ONE_SCENE: u64 = 100;
+/// Distance in plan of a dive over its highest point.
+const DIVE_OFF: f64 = 1.2;
 /// Lines of a survey, and from line to line as part of the range.
 const SPACING: f64 = 0.7;
 /// Fewest and most lines where an area is not said.
@@ -61,6 +63,10 @@ pub(super) enum Way {
         place_m: [f64; 2],
         yaw_deg: f64,
     },
+    /// Through places, z over the bottom.
+    Through {
+        points_m: Vec<[f64; 3]>,
+    },
     /// Heights over the bottom, one after the other.
     Dive {
         away_m: f64,
@@ -97,6 +103,7 @@ pub(super) enum Form {
     Along,
     Approach,
     Hover,
+    Through,
     Dive,
 }
 
@@ -130,12 +137,15 @@ pub(super) fn form(asked: &Asked, structure: Option<&Structure>, of: Things) -> 
     if let Some(said) = path.range_m.as_ref().filter(|said| matches!(said.value, Amount::Steps(..))) {
         return (Form::Approach, asked.why(&said.source));
     }
+    if let Some(said) = path.points_m.as_ref().filter(|said| said.value.len() > 1) {
+        return (Form::Through, asked.why(&said.source));
+    }
     if let Some(said) = &path.position_m {
         return (Form::Hover, asked.why(&said.source));
     }
     let suits = |form: Form, why: &str| (form, assumed(why));
-    if at_structure && structure.is_some_and(|structure| structure.kind != Kind::Pipeline) {
-        return suits(Form::Views, "what stands at a wall is seen from free water, where the sonar is turned to it");
+    if at_structure && structure.is_some_and(|structure| structure.kind.is_long()) {
+        return suits(Form::Along, "along the wall, turned to what stands at it");
     }
     let kind = structure.map(|structure| structure.kind);
     if from_vehicle {
@@ -181,6 +191,7 @@ impl Ground<'_> {
             Form::Along => self.along(route),
             Form::Approach => self.approach(route),
             Form::Hover => (self.hover(), Frames::About(1)),
+            Form::Through => self.through(),
             Form::Dive => self.dive(route),
         };
         Going { way, why, frames }
@@ -246,7 +257,7 @@ impl Ground<'_> {
             None if width_m.is_some() => Amount::Exactly(0.0),
             None => Amount::Between(0.0, 360.0),
         };
-        (Way::Lawnmower { length_m, spacing_m, lines, heading_deg }, Frames::About(FRAMES_ALONG))
+        (Way::Lawnmower { length_m, spacing_m, lines, heading_deg }, Frames::Along(FRAMES_ALONG))
     }
 
     fn along(&self, route: Option<&Route>) -> (Way, Frames) {
@@ -259,17 +270,17 @@ impl Ground<'_> {
         let (heading_deg, centre_m, yaw_deg) = match self.structure.map(|s| (s.kind, s)) {
             // To port of a vehicle that runs along x lies what has greater y.
             Some((Kind::Pier, pier)) => {
-                let half = 0.5 * pier.said_m[1].unwrap_or(super::environment::PIER_WIDTH_M);
+                let half = super::environment::half_width_m(Some(pier));
                 (0.0, [0.0, exact_m(-(half + distance))], 60.0)
             }
             Some((Kind::Harbour, basin)) => {
-                let half = 0.5 * basin.said_m[1].unwrap_or(super::environment::HARBOUR_WIDTH_M);
+                let half = super::environment::half_width_m(Some(basin));
                 (0.0, [0.0, exact_m((half - distance).max(1.0 - half))], 60.0)
             }
             Some((Kind::Dam, _)) => (90.0, [exact_m(super::environment::DAM_DISTANCE_M - distance), 0.0], -60.0),
             _ => (self.asked.wish.path.heading_deg.as_ref().map_or(0.0, |said| said.value), [0.0, 0.0], 0.0),
         };
-        (Way::Terrain { length_m, heading_deg, centre_m, yaw_deg }, Frames::About(FRAMES_ALONG))
+        (Way::Terrain { length_m, heading_deg, centre_m, yaw_deg }, Frames::Along(FRAMES_ALONG))
     }
 
     fn approach(&self, route: Option<&Route>) -> (Way, Frames) {
@@ -296,7 +307,7 @@ impl Ground<'_> {
         let frames = match steps.and_then(|(.., count)| count) {
             Some(count) => Frames::Exactly(u64::from(count.max(1))),
             None if few && steps.is_some() => Frames::OneScene,
-            None => Frames::About(FRAMES_ALONG),
+            None => Frames::Along(FRAMES_ALONG),
         };
         (Way::Approach { from_m, to_m, course_deg }, frames)
     }
@@ -315,6 +326,15 @@ impl Ground<'_> {
         Way::Hover { place_m: [away(cos(radians(yaw_deg))), away(sin(radians(yaw_deg)))], yaw_deg }
     }
 
+    /// Through the places that were said; below 0 they are told from the surface.
+    fn through(&self) -> (Way, Frames) {
+        let said = self.asked.wish.path.points_m.as_ref().map_or(&[][..], |said| &said.value);
+        let over = |&[x, y, z]: &[f64; 3]| [x, y, exact_m(super::placing::at_height(z, self.depth_m))];
+        let few = self.asked.wish.images.as_ref().is_none_or(|said| said.value <= MOST_OF_ONE_SCENE);
+        let frames = if few { Frames::OneScene } else { Frames::Along(FRAMES_ALONG) };
+        (Way::Through { points_m: said.iter().map(over).collect() }, frames)
+    }
+
     fn dive(&self, route: Option<&Route>) -> (Way, Frames) {
         let (depth_m, back) = match route {
             Some(Route::Dive { depth_m, back }) => (*depth_m, *back),
@@ -331,9 +351,11 @@ impl Ground<'_> {
             // Down in so many frames, up again in as many, the turn counted once.
             Some(count) => Frames::Exactly(count.max(2)),
             None if few => Frames::OneScene,
-            None => Frames::About(FRAMES_ALONG),
+            None => Frames::Along(FRAMES_ALONG),
         };
-        (Way::Dive { away_m: self.view.distance_m.ends()[0], heights_m }, frames)
+        // So far off that one tilt serves from above and from below.
+        let away_m = self.view.distance_m.ends()[0].max(round(DIVE_OFF * top));
+        (Way::Dive { away_m, heights_m }, frames)
     }
 
     /// How far from the world's origin anything is seen from the way, metres.
@@ -356,6 +378,9 @@ impl Ground<'_> {
                 let looks_in =
                     (x + cos(radians(*yaw_deg)) * away).abs() + (y + sin(radians(*yaw_deg)) * away).abs() < 0.01;
                 if looks_in { inwards(away) } else { away + self.far_m }
+            }
+            Way::Through { points_m } => {
+                points_m.iter().map(|[x, y, _]| (x * x + y * y).sqrt()).fold(0.0, f64::max) + self.far_m
             }
             Way::Dive { away_m, .. } => inwards(*away_m),
         }

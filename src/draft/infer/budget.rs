@@ -14,6 +14,8 @@ pub enum Frames {
     Exactly(u64),
     /// About so many in each scene.
     About(u64),
+    /// About so many along a way, which fewer would leave gaps in.
+    Along(u64),
     /// All in one scene.
     OneScene,
 }
@@ -50,24 +52,33 @@ pub fn budget(images: Option<u64>, scenes: Option<u64>, frames: Frames) -> Resul
         (Some(images), None, Frames::Exactly(each)) => made(whole(images, each)?, each),
         (Some(images), None, Frames::OneScene) => made(1, images),
         (Some(images), None, Frames::About(each)) => {
-            let each = near_divisor(images, each);
+            let each = near_divisor(images, each.min(root(images)));
             made(images / each, each)
         }
-        (None, Some(scenes), Frames::Exactly(each) | Frames::About(each)) => made(scenes, each),
+        (Some(images), None, Frames::Along(each)) => {
+            let each = near_divisor(images, each.min(images));
+            made(images / each, each)
+        }
+        (None, Some(scenes), Frames::Exactly(each) | Frames::About(each) | Frames::Along(each)) => made(scenes, each),
         (None, Some(scenes), Frames::OneScene) => made(scenes, 10),
         (None, None, Frames::Exactly(each)) => made((IMAGES / each).clamp(1, 10), each),
         (None, None, Frames::OneScene) => made(1, 20),
-        (None, None, Frames::About(each)) => made((IMAGES / each).max(1), IMAGES / (IMAGES / each).max(1)),
+        (None, None, Frames::About(each) | Frames::Along(each)) => {
+            made((IMAGES / each).max(1), IMAGES / (IMAGES / each).max(1))
+        }
     }
 }
 
-/// The divisor that is nearest in ratio to so many, of few images to their root: five scenes of two, not one of ten.
+/// The whole part of the root: of few images several scenes are made, five of two rather than one of ten.
+fn root(images: u64) -> u64 {
+    let near = (images as f64).sqrt() as u64;
+    (near.saturating_sub(1)..=near + 1).rev().find(|root| root * root <= images).unwrap_or(1)
+}
+
+/// The divisor that is nearest in ratio to so many.
 fn near_divisor(images: u64, wanted: u64) -> u64 {
-    let mut root = 1;
-    while (root + 1) * (root + 1) <= images {
-        root += 1;
-    }
-    let wanted = wanted.min(root).max(1) as f64;
+    let root = root(images);
+    let wanted = wanted.max(1) as f64;
     let apart = |divisor: &u64| {
         let ratio = *divisor as f64 / wanted;
         ratio.max(1.0 / ratio)
@@ -83,7 +94,7 @@ mod tests {
     #[test]
     fn the_product_is_what_was_asked_for() {
         for images in (1..400).chain([997, 1000, 2048, 9973, 100_000, 1_000_003]) {
-            for frames in [Frames::About(10), Frames::About(1), Frames::About(30), Frames::OneScene] {
+            for frames in [Frames::About(10), Frames::About(1), Frames::Along(30), Frames::OneScene] {
                 let Budget { scenes, frames } = budget(Some(images), None, frames).expect("one scene always does");
                 assert_eq!(scenes * frames, images);
             }
@@ -91,6 +102,7 @@ mod tests {
         assert_eq!(budget(Some(300), None, Frames::About(10)), Ok(Budget { scenes: 30, frames: 10 }));
         assert_eq!(budget(Some(997), None, Frames::About(10)), Ok(Budget { scenes: 997, frames: 1 }));
         assert_eq!(budget(Some(300), None, Frames::Exactly(3)), Ok(Budget { scenes: 100, frames: 3 }));
+        assert_eq!(budget(Some(20), None, Frames::Along(30)), Ok(Budget { scenes: 1, frames: 20 }));
         assert_eq!(budget(Some(100), Some(20), Frames::About(10)), Ok(Budget { scenes: 20, frames: 5 }));
     }
 

@@ -18,6 +18,13 @@ pub const SEVERAL: [u32; 2] = [2, 4];
 /// Part of its distance by which a single thing strays from the middle: it is not always in the same place of a picture.
 const STRAY: f64 = 0.15;
 
+/// The same of what lies in a heap or a row, and of fish in a school.
+pub const IN_HEAP: [u32; 2] = [5, 8];
+/// In a row.
+pub const IN_ROW: [u32; 2] = [4, 5];
+/// In a school.
+pub const IN_SCHOOL: [u32; 2] = [8, 15];
+
 /// Radius of the disc on which a single thing lies that is looked at from a distance, metres.
 #[must_use]
 pub fn stray_m(distance_m: f64) -> f64 {

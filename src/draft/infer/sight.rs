@@ -28,6 +28,18 @@ pub fn altitude_m(distance_m: f64) -> f64 {
     (RISE * distance_m).max(LEAST_ALTITUDE_M)
 }
 
+/// Part of the distance of things by which the range goes beyond them for their shadows, at most.
+const SHADOW: f64 = 0.25;
+/// Distance over the longest side of a thing, at least: it is not cut by the edges of the picture.
+const WHOLE: f64 = 0.9;
+
+/// Distance from which things from one size to another are looked at, metres: between those that suit each, and so far
+/// that the largest is seen as a whole.
+#[must_use]
+pub fn distance_of_all_m([smallest_m, largest_m]: [f64; 2]) -> f64 {
+    distance_m((smallest_m.max(0.01) * largest_m).sqrt()).max(WHOLE * largest_m)
+}
+
 /// Where things are, as a sonar sees them: nearest and farthest in plan, lowest and highest middle; metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
@@ -77,7 +89,7 @@ impl Sight {
     pub fn shadow_m(&self, altitude_m: f64, height_m: f64) -> f64 {
         // A thing as high as the sonar throws its shadow without end: what matters is that some of it is seen.
         let over = (altitude_m - height_m).max(0.3 * altitude_m);
-        (self.far_m * height_m / over.max(0.1)).min(0.5 * self.far_m)
+        (self.far_m * height_m / over.max(0.1)).min(SHADOW * self.far_m)
     }
 }
 
@@ -150,6 +162,9 @@ mod tests {
         assert!((distance_m(1.0) - 6.0).abs() < 1e-12);
         assert!((2.3..2.5).contains(&distance_m(0.115)) && (4.8..5.1).contains(&distance_m(0.63)));
         assert!((22.0..25.0).contains(&distance_m(25.9)));
+        // Bottles and a ladder are seen from where a bucket would be; with a ship, from where the ship is whole.
+        assert!((5.0..6.0).contains(&distance_of_all_m([0.23, 3.0])));
+        assert!((distance_of_all_m([0.6, 26.0]) - 23.4).abs() < 1e-9);
     }
 
     #[test]

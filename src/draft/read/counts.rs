@@ -107,6 +107,13 @@ fn number_at(reading: &Reading<'_>, at: usize) -> Option<(Range<usize>, f64)> {
 fn noun_behind(reading: &Reading<'_>, from: usize, wanted: Word) -> Option<Range<usize>> {
     let article = matches!(reading.text.form(from.wrapping_sub(1)), "a" | "an");
     let mut at = from;
+    // `ten (10) images`.
+    at += usize::from(reading.text.is_mark(at, ')'));
+    // `60张`: of pictures, where nothing else is named.
+    let sheet = matches!(reading.text.form(at), "张" | "幅") && wanted == Word::Images;
+    if sheet && reading.text.tokens.get(at + 1).is_none_or(|next| !next.is_ideograph()) {
+        return Some(at..at + 1);
+    }
     while at < (from + 4).min(reading.len()) && reading.is_free(at) {
         if let Some(tokens) = reading.word(at, wanted) {
             // `a frame dataset`, `an image set`, `images`: an article counts one image only.
@@ -144,9 +151,13 @@ fn is_between(form: &str) -> bool {
 /// `images: 300`, `# of frames: 36`, `number of images = 300`.
 fn noun_before(reading: &Reading<'_>, number: usize, wanted: Word) -> Option<Range<usize>> {
     let mut end = number;
+    while end > 0 && reading.text.is_mark(end - 1, '"') {
+        end -= 1;
+    }
     let marked = end > 0 && (reading.text.is_mark(end - 1, ':') || reading.text.is_mark(end - 1, '='));
     if marked {
         end -= 1;
+        end -= usize::from(end > 0 && reading.text.is_mark(end - 1, '"'));
     } else if end > 0 && matches!(reading.text.form(end - 1), "be" | "is") {
         end -= 1;
     } else if !(end >= 2 && reading.text.form(end - 1).is_empty()) {
@@ -154,7 +165,9 @@ fn noun_before(reading: &Reading<'_>, number: usize, wanted: Word) -> Option<Ran
     }
     let (begin, word) = reading.ending_at(&vocabulary().words, end)?;
     // `200 frames: three bottles`: the noun has its number.
-    let is_counted = begin > 0 && (reading.number_at_end(begin) || reading.text.form(begin - 1) == "sonar");
+    let is_counted = begin > 0
+        && ((begin.saturating_sub(2)..=begin).any(|end| reading.number_at_end(end))
+            || reading.text.form(begin - 1) == "sonar");
     (*word == wanted && !is_counted).then_some(begin..number)
 }
 

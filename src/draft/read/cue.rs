@@ -27,8 +27,10 @@ pub(super) enum Subject {
     Afloat,
     /// Another thing.
     Thing,
-    /// The vehicle, the sonar or who looks.
+    /// The vehicle or the sonar.
     Vehicle,
+    /// Who looks, or the way that is gone.
+    View,
     /// The lines of a survey.
     Lines,
     /// Nothing.
@@ -82,6 +84,7 @@ fn fits(cue: Cue, quantity: &Quantity, is_before: bool) -> bool {
         | Cue::Spacing
         | Cue::SonarDepth => measure == Measure::Length || number,
         Cue::BelowSurface
+        | Cue::Visibility
         | Cue::AboveSurface
         | Cue::Apart
         | Cue::Size
@@ -129,8 +132,11 @@ fn before(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
                 && end - begin == 1
                 && !(skipped > 0 && (reading.text.is_mark(end, '=') || reading.text.is_mark(end, ':')))
         };
-        let found =
-            found.filter(|(begin, cue)| (shared(*cue) || (*begin..end).all(|at| reading.is_free(at))) && !lone(*begin));
+        // A bare "and" goes on what was told of swaying.
+        let and = |begin: usize| reading.text.form(begin) == "and" && (skipped > 0 || reading.wish.path.sway.is_none());
+        let found = found.filter(|(begin, cue)| {
+            (shared(*cue) || (*begin..end).all(|at| reading.is_free(at))) && !lone(*begin) && !and(*begin)
+        });
         if let Some((begin, cue)) = found {
             let word = reading.text.form(begin);
             let single = end - begin == 1;
@@ -207,7 +213,8 @@ fn behind(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told> {
 pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, bool) {
     let mut comma = false;
     let mut at = start;
-    while at > 0 {
+    // Who is spoken of stands not far off.
+    while at > 0 && at + 60 > start {
         at -= 1;
         let text = &reading.text;
         if text.is_mark(at, '.') || text.is_mark(at, ';') {
@@ -219,6 +226,11 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         let ends_with = |words: &[Word]| {
             (0..5.min(at + 1)).any(|back| words.iter().any(|word| reading.word(at - back, *word) == Some(back + 1)))
         };
+        let is_line = |at: usize| matches!(text.form(at), "line" | "track" | "lane" | "leg" | "transect");
+        let lines = (at.saturating_sub(1)..at + 1).any(|at| is_line(at) && reading.is_plural(at));
+        if lines {
+            return (Subject::Lines, comma);
+        }
         if ends_with(&[Word::Row, Word::Heap]) {
             return (Subject::Thing, comma);
         }
@@ -232,8 +244,11 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         if let Some(tokens) = thing_over(reading, at) {
             return (if floats(reading, tokens) { Subject::Afloat } else { Subject::Thing }, comma);
         }
-        if ends_with(&[Word::Vehicle, Word::ViewFrom, Word::Hover, Word::Follow, Word::Orbit]) {
+        if ends_with(&[Word::Vehicle]) {
             return (Subject::Vehicle, comma);
+        }
+        if ends_with(&[Word::ViewFrom, Word::Hover, Word::Follow, Word::Orbit]) {
+            return (Subject::View, comma);
         }
     }
     (Subject::Nothing, comma)

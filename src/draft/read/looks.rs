@@ -41,6 +41,14 @@ pub(super) fn noise(reading: &mut Reading<'_>) {
             reading.take(tokens);
         }
     }
+    // `with and without noise`.
+    let both = (0..reading.len()).any(|at| {
+        matches!(reading.text.form(at), "with" | "mit" | "avec" | "con")
+            && matches!(reading.text.form(at + 2), "without" | "ohne" | "san" | "sin" | "sans")
+    });
+    if let ([(tokens, _)], true) = (found.as_slice(), both) {
+        found.push((tokens.clone(), look("noise", vec![LookChange::Speckle(1.0), LookChange::Noise(1.0)])));
+    }
     found.sort_by_key(|(tokens, _)| tokens.start);
     found.dedup_by(|(_, one), (_, other)| one.name == other.name);
     reading.wish.looks = found.into_iter().map(|(tokens, look)| reading.said(tokens, look)).collect();

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cue::{Subject, cue_of, subject_before};
+use super::cue::{Subject, cue_of, floats, subject_before};
 use super::quantity::{Measure, Quantity};
 use super::reading::Reading;
 use super::vocabulary::{Bound, Cue, Word, vocabulary};
@@ -70,15 +70,34 @@ fn is_of_things(cue: Cue) -> bool {
 fn resolved(reading: &Reading<'_>, quantity: &Quantity, cue: Cue, tokens: &Range<usize>) -> Cue {
     let from = if matches!(cue, Cue::Spacing | Cue::Apart) { quantity.tokens.start } else { tokens.start };
     let (subject, comma) = subject_before(reading, from);
+    let of_lines = tokens.clone().any(|at| matches!(reading.text.form(at), "line" | "lane" | "track" | "swath"));
     match (cue, subject) {
+        (Cue::Spacing, _) if of_lines => Cue::Spacing,
+        (Cue::Size, Subject::Lines) => Cue::PathLength,
         (Cue::Spacing | Cue::Apart, Subject::Lines) => Cue::Spacing,
         (Cue::Spacing | Cue::Apart, Subject::Thing | Subject::Afloat) => Cue::Apart,
-        (Cue::Depth, Subject::Vehicle) if !comma && is_cued_behind(quantity, tokens) => Cue::SonarDepth,
+        (Cue::Depth, Subject::Vehicle)
+            if !comma && is_cued_behind(quantity, tokens) && !is_of_water(reading, tokens) =>
+        {
+            Cue::SonarDepth
+        }
+        // `a circle of 8 m radius`.
+        (Cue::Radius, _)
+            if reading
+                .find(Word::Orbit)
+                .is_some_and(|orbit| orbit.end <= tokens.start && orbit.end + 5 > tokens.start) =>
+        {
+            Cue::ObjectRange
+        }
         (Cue::MostRange, _) if is_at(reading, quantity.tokens.start) && quantity.tokens.start == tokens.start => {
             Cue::ObjectRange
         }
         _ => cue,
     }
+}
+
+fn is_of_water(reading: &Reading<'_>, tokens: &Range<usize>) -> bool {
+    tokens.clone().any(|at| matches!(reading.text.form(at), "water" | "wasser" | "agua" | "eau" | "水" | "wassertiefe"))
 }
 
 fn is_cued_behind(quantity: &Quantity, tokens: &Range<usize>) -> bool {
@@ -113,6 +132,14 @@ fn uncued(reading: &Reading<'_>, quantity: &Quantity) -> Option<Cue> {
             }
             if quantity.bound == Some(Bound::AtLeast) && matches!(first, "minimum" | "min") {
                 return Some(Cue::LeastRange);
+            }
+            // `circle a block at 6 m`.
+            let orbit = reading.find(Word::Orbit).is_some_and(|orbit| {
+                orbit.end <= start
+                    && (orbit.end..start).all(|at| !reading.text.is_mark(at, ',') && !reading.text.is_mark(at, '.'))
+            });
+            if orbit {
+                return Some(Cue::ObjectRange);
             }
             // `from two to six metres`.
             if matches!(first, "from" | "von" | "de" | "desde" | "从")
@@ -188,6 +215,11 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
             reading.wish.sonar.most_range_m = Some(reading.said(tokens.clone(), bounded(&amount, high)));
         }
         Cue::LeastRange => reading.wish.sonar.least_range_m = Some(reading.said(tokens.clone(), bounded(&amount, low))),
+        Cue::Visibility => {
+            let kinds = [(0.5, "very-turbid"), (2.0, "turbid"), (5.0, "coastal"), (f64::INFINITY, "clear")];
+            let kind = kinds.iter().find(|(most, _)| high < *most).map_or("clear", |(_, kind)| kind);
+            reading.wish.water.turbidity = Some(reading.said(tokens.clone(), vec![kind.to_owned()]));
+        }
         Cue::Temperature => put(&mut reading.wish.water.temperature_c),
         Cue::Salinity => put(&mut reading.wish.water.salinity_ppt),
         Cue::Ph => put(&mut reading.wish.water.ph),
@@ -239,11 +271,15 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
 /// Heights over the bottom and depths below the surface are of a thing or of the vehicle.
 fn above_or_below(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range<usize>) {
     let (subject, comma) = subject_before(reading, tokens.start);
+    // `a diver beside the wreck, 3 m above the bottom`: the diver is, unless somebody looks from there.
+    let looks = [Word::ViewFrom, Word::Vehicle].iter().any(|word| reading.find(*word).is_some());
+    let elsewhere = subject == Subject::Thing && cue == Cue::Altitude && !looks && afloat_before(reading, tokens.start);
+    let subject = if elsewhere { Subject::Afloat } else { subject };
     let of_thing = match subject {
         Subject::Afloat => !(comma && cue == Cue::Altitude && is_view(reading, &tokens)),
         // Things on the bottom are not afloat: whose height is told is the sonar.
         Subject::Thing => cue != Cue::Altitude,
-        Subject::Vehicle | Subject::Lines | Subject::Nothing => false,
+        Subject::Vehicle | Subject::View | Subject::Lines | Subject::Nothing => false,
     };
     if cue == Cue::AboveSurface {
         let what = format!("{}: sonar sees nothing above the surface", reading.text.words(tokens.clone()));
@@ -260,6 +296,16 @@ fn above_or_below(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, toke
         }
     }
     reading.take(tokens);
+}
+
+/// Whether something before an amount in its sentence is in the water.
+fn afloat_before(reading: &Reading<'_>, start: usize) -> bool {
+    let begin = (0..start)
+        .rev()
+        .find(|&at| reading.text.is_mark(at, '.') || reading.text.is_mark(at, ';'))
+        .map_or(0, |at| at + 1);
+    (begin.max(start.saturating_sub(40))..start)
+        .any(|at| reading.any_thing_at(at).is_some_and(|count| floats(reading, at..at + count)))
 }
 
 /// Whether words just before an altitude are of a view or a path: `viewed from 5 m above`.

@@ -24,6 +24,12 @@ mod refuse;
 mod settings;
 mod splits;
 mod stand;
+#[cfg(test)]
+pub(in crate::draft) mod summary;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod tests_more;
 pub(in crate::draft) mod text;
 mod things;
 pub(in crate::draft) mod token;
@@ -66,7 +72,9 @@ pub fn read(prompt: &Prompt, known: &Known) -> Result<Wish, Refusal> {
     things::spot(&mut reading, stands);
     anything(&mut reading);
     options(&mut reading.wish, &prompt.options);
-    reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    if reading.problems.is_empty() {
+        reading.problems.extend(refuse::unknown_only(&reading).or_else(|| refuse::nothing(&reading)));
+    }
     if reading.problems.is_empty() {
         sense(&reading.wish)?;
         return Ok(reading.wish);
@@ -84,7 +92,7 @@ fn anything(reading: &mut Reading<'_>) {
     let empty = reading.find(Word::EmptyScene).is_some();
     let said = reading.find_all(Word::Anything).into_iter().find(|tokens| !reading.is_negated(tokens.start));
     let Some(tokens) = said.filter(|_| !empty) else { return };
-    if let Ok(found) = super::find::models("debris", reading.known) {
+    if let Ok(found) = reading.models("debris") {
         let called = reading.said(tokens.clone(), reading.text.words(tokens).to_owned());
         reading.wish.things.push(super::wish::Thing {
             called,

@@ -74,6 +74,12 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
             next = cue.tokens.end;
             continue;
         }
+        if let Some(cue) = stands.iter().find(|cue| cue.tokens.start == next && cue.cue == Cue::Burial) {
+            let [low, high] = cue.amount.ends();
+            noun.stands.push((cue.tokens.clone(), StandWord::Buried(low, high)));
+            next = cue.tokens.end;
+            continue;
+        }
         if !reading.is_free(next) {
             return None;
         }
@@ -128,6 +134,12 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
                 next = end;
                 continue;
             }
+            // `a Tritech Gemini`: part of a name that was read.
+            let goes_on =
+                reading.text.tokens.get(end).is_some_and(|token| token.kind == Kind::Word) && !reading.is_free(end);
+            if goes_on {
+                return None;
+            }
             let in_place = noun.article == Article::Indefinite || follows_list_word(reading, at);
             if !in_place || noun.article == Article::Definite {
                 return None;
@@ -140,17 +152,44 @@ pub(super) fn noun_at(reading: &Reading<'_>, stands: &[StandCue], at: usize) -> 
         }
         return None;
     }
-    noun.name = names.iter().map(|tokens| reading.text.words(tokens.clone())).collect::<Vec<_>>().join(" ");
+    // Repaired, as the whole prompt tells the language.
+    let forms = names.iter().flat_map(|tokens| tokens.clone());
+    noun.name = forms.fold(String::new(), |name, at| {
+        let parted = !name.is_empty() && !reading.text.tokens[at].is_ideograph();
+        name + if parted { " " } else { "" } + reading.text.form(at)
+    });
+    next = wreck_of(reading, stands, next, &mut noun);
+    // `a debris field`: not one.
+    let field = matches!(reading.text.form(next), "field" | "site" | "zone" | "dump" | "collection");
+    if field && noun.count.as_ref().is_some_and(|said| said.value == Count::Exactly(1)) {
+        noun.count = None;
+    }
     next = count_behind(reading, next, &mut noun);
     noun.tokens = at..next;
     Some(noun)
+}
+
+/// `wreck of a small boat`: one thing, of which the wreck tells the state.
+fn wreck_of(reading: &Reading<'_>, stands: &[StandCue], at: usize, noun: &mut Noun) -> usize {
+    let is_wreck = noun.name.split(' ').next_back().is_some_and(|word| vocabulary().wrecked.contains(word));
+    if !is_wreck || !matches!(reading.text.form(at), "of" | "von" | "de" | "d") || noun.tokens.start > at {
+        return at;
+    }
+    let inner = noun_at(reading, stands, at + 1).filter(|inner| inner.is_known);
+    inner.map_or(at, |inner| {
+        noun.name = format!("{} {}", inner.name, noun.name);
+        noun.named.end = inner.named.end;
+        inner.tokens.end
+    })
 }
 
 /// Reads the article or count at a token; the token behind it.
 fn determiner(reading: &Reading<'_>, at: usize, noun: &mut Noun) -> usize {
     let text = &reading.text;
     let mut next = at;
-    if let Some(quantity) = reading.number_at(at) {
+    let vague = vocabulary().vague.at(text, at).filter(|(tokens, _)| (at..at + tokens).all(|at| reading.is_free(at)));
+    let number = reading.number_at(at).filter(|number| vague.is_none_or(|(tokens, _)| tokens <= number.tokens.len()));
+    if let Some(quantity) = number {
         noun.falls = quantity.falls;
         noun.count =
             count_of(&quantity.amount, quantity.bound).map(|count| reading.said(quantity.tokens.clone(), count));
@@ -280,7 +319,7 @@ fn is_definite(form: &str) -> bool {
 
 fn count_of(amount: &Amount, bound: Option<Bound>) -> Option<Count> {
     let [low, high] = amount.ends();
-    let fits = |value: f64| (0.0..1e6).contains(&value) && value.fract() == 0.0;
+    let fits = |value: f64| (0.0..4e9).contains(&value) && value.fract() == 0.0;
     let low = if bound == Some(Bound::AtMost) && low == 0.0 { 1.0_f64.min(high) } else { low };
     if !fits(high) || !fits(low) {
         return None;
@@ -337,6 +376,8 @@ fn noun_follows(reading: &Reading<'_>, stands: &[StandCue], at: usize, noun: &No
     let mut inner = noun.clone();
     let behind = determiner(reading, begin, &mut inner);
     let counted = behind > begin;
+    let of =
+        usize::from(of == 1 || matches!(reading.text.form(begin.wrapping_sub(1)), "of" | "von" | "de" | "d" | "的"));
     // `buried in`, `lying on`: what follows an adjective stands right behind it.
     (is_near(begin) || (counted && of == 1 && is_near(behind)) || (counted && (of == 1) && is_near(behind + 1)))
         || (adjective(reading, begin, None).is_some_and(|(tokens, _)| is_near(begin + tokens)))
@@ -350,14 +391,19 @@ fn is_doubtful(reading: &Reading<'_>, at: usize, count: usize, noun: &Noun, is_b
     }
     let form = reading.text.form(at);
     let vehicle = reading.word(at, Word::Vehicle) == Some(1) && noun.article != Article::Indefinite;
-    let listed = follows_thing_list(reading, at);
+    // `and watch the trash rack`: what has an object is a verb.
+    let is_verb = is_definite(reading.text.form(at + 1)) || matches!(reading.text.form(at + 1), "a" | "an");
+    let listed = follows_thing_list(reading, at) && !is_verb;
     vehicle
         || (vocabulary().doubtful.contains(form)
             && noun.article != Article::Indefinite
             && is_bare
             && !reading.is_plural(at)
             && !listed)
-        || (matches!(form, "can") && noun.article == Article::None && !listed)
+        || (matches!(form, "person" | "people")
+            && noun.article == Article::None
+            && !matches!(reading.text.form(at.wrapping_sub(1)), "of" | "and" | "with" | "detecting" | "," | ":"))
+        || (form == "can" && noun.article == Article::None && !listed && !reading.is_plural(at))
         || reading.word(at, Word::Images) == Some(1)
 }
 
@@ -366,7 +412,7 @@ fn follows_thing_list(reading: &Reading<'_>, at: usize) -> bool {
     before.is_some_and(|before| {
         (reading.text.is_mark(before + 1, ',') || reading.text.form(before + 1) == "and")
             && (before.saturating_sub(2)..=before)
-                .any(|begin| reading.thing_at(begin).is_some_and(|n| begin + n == before + 1))
+                .any(|begin| reading.any_thing_at(begin).is_some_and(|n| begin + n == before + 1))
     })
 }
 
@@ -385,7 +431,7 @@ fn compound(
     }
     while let Some(more) = reading.thing_at(end) {
         let whole = reading.text.words(at..end + more);
-        let tells = crate::draft::find::models(whole, reading.known).is_ok_and(|found| {
+        let tells = reading.models(whole).is_ok_and(|found| {
             let first = crate::catalog::words::words(reading.text.words(at..end));
             found.narrowed_by.iter().any(|word| first.contains(word))
         });

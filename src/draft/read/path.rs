@@ -127,7 +127,10 @@ fn lawnmower(reading: &mut Reading<'_>) -> Found {
     let area = reading.sides.first().cloned();
     if let Some((_, tokens)) = &area {
         let end = tokens.end + usize::from(is_area_word(reading.text.form(tokens.end)));
-        words.push(tokens.start..end);
+        // `a box of 60 m by 30 m`.
+        let before = tokens.start.saturating_sub(2);
+        let named = reading.text.form(before + 1) == "of" && is_area_word(reading.text.form(before));
+        words.push(if named { before } else { tokens.start }..end);
     }
     let side = |place: usize| area.as_ref().and_then(|(sides, _)| sides.get(place).copied());
     let route = Route::Lawnmower {
@@ -203,7 +206,8 @@ fn follow(reading: &Reading<'_>) -> Found {
     let word = reading.find_all(Word::Follow).into_iter().find(|tokens| {
         let structure =
             reading.environment_at.as_ref().is_some_and(|place| (tokens.end..tokens.end + 4).contains(&place.start));
-        let verb = !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿");
+        let verb =
+            !matches!(reading.text.form(tokens.start), "along" | "entlang" | "沿" | "inspect" | "check" | "inspection");
         structure || verb
     });
     let line = reading.find(Word::StraightLine).filter(|_| reading.route.length_m.is_some());
@@ -260,14 +264,9 @@ fn heading(reading: &mut Reading<'_>) {
 
 /// Places of the vehicle: where it is, or the points of its way.
 fn places(reading: &mut Reading<'_>) {
-    let is_way = reading.find(Word::Waypoints).is_some() || reading.places.len() > 2;
     let points: Vec<[f64; 3]> =
         reading.places.iter().filter_map(|place| Some([place.at[0]?, place.at[1]?, place.at[2]?])).collect();
-    let from = |reading: &Reading<'_>, place: usize| {
-        let start = reading.places[place].tokens.start;
-        start > 0 && matches!(reading.text.form(start - 1), "from" | "von" | "de" | "desde" | "从")
-    };
-    if points.len() >= 2 && points.len() == reading.places.len() && (is_way || from(reading, 0)) {
+    if points.len() >= 2 && points.len() == reading.places.len() {
         let words: Vec<Range<usize>> = reading.places.iter().map(|place| place.tokens.clone()).collect();
         reading.wish.path.points_m = Some(reading.said_by(&words, points));
         reading.places.clear();

@@ -58,9 +58,13 @@ impl<T: Clone> Phrases<T> {
                 let printed = word.replace('ä', "ae").replace('ö', "oe").replace('ü', "ue");
                 for spelling in [Some(word.to_owned()), (printed != word).then_some(printed)].into_iter().flatten() {
                     let forms: Vec<String> = tokens(&spelling, language).into_iter().map(|token| token.form).collect();
-                    if let Some(first) = forms.first().cloned() {
-                        starts.entry(first).or_default().push(Phrase { forms, language, means: means.clone() });
+                    let Some(first) = forms.first().cloned() else { continue };
+                    let phrase = Phrase { forms, language, means: means.clone() };
+                    // Adjectives of other languages have many endings: found by their root, too.
+                    if let Some(root) = root(&first, language) {
+                        starts.entry(format!("{root}~")).or_default().push(phrase.clone());
                     }
+                    starts.entry(first).or_default().push(phrase);
                 }
             }
         }
@@ -80,13 +84,22 @@ impl<T: Clone> Phrases<T> {
     pub(in crate::draft) fn all_at(&self, text: &Text<'_>, at: usize) -> impl Iterator<Item = (usize, &T)> {
         let rest = text.tokens.get(at..).unwrap_or_default();
         let language = text.language;
-        let phrases = rest.first().and_then(|first| self.starts.get(&first.form)).map_or(&[][..], Vec::as_slice);
+        let phrases = |form: &str| self.starts.get(form).map_or(&[][..], Vec::as_slice);
+        let first = rest.first().map_or("", |first| first.form.as_str());
+        let declined = root(first, language).map_or(&[][..], |root| phrases(&format!("{root}~")));
         let fits = move |phrase: &&Phrase<T>| {
             (phrase.language == language || matches!(phrase.language, Language::English | Language::Chinese))
                 && phrase.forms.len() <= rest.len()
-                && phrase.forms.iter().zip(rest).all(|(form, token)| *form == token.form)
+                && phrase.forms.iter().zip(rest).all(|(form, token)| is_same(form, &token.form, phrase.language))
         };
-        phrases.iter().filter(fits).map(|phrase| (phrase.forms.len(), &phrase.means))
+        let mut found: Vec<(usize, &T)> = phrases(first)
+            .iter()
+            .chain(declined)
+            .filter(fits)
+            .map(|phrase| (phrase.forms.len(), &phrase.means))
+            .collect();
+        found.sort_by_key(|(tokens, _)| std::cmp::Reverse(*tokens));
+        found.into_iter()
     }
 
     /// Every word of the phrases with its language.
@@ -96,4 +109,25 @@ impl<T: Clone> Phrases<T> {
             .flatten()
             .flat_map(|phrase| phrase.forms.iter().map(move |form| (phrase.language, form.as_str())))
     }
+}
+
+/// A word without the ending that its gender, case or number gives it; none in languages without such, and of short words.
+fn root(form: &str, language: Language) -> Option<&str> {
+    let endings: &[&str] = match language {
+        Language::German => &["en", "em", "er", "es", "e", "n", "s"],
+        Language::Spanish => &["os", "as", "o", "a", "s"],
+        Language::French => &["es", "e", "s"],
+        Language::English | Language::Chinese => return None,
+    };
+    let mut root = form;
+    // `vergraben` and `vergrabenen` come to one root.
+    while let Some(shorter) = endings.iter().find_map(|ending| root.strip_suffix(ending)).filter(|root| root.len() >= 4)
+    {
+        root = shorter;
+    }
+    (root.len() >= 4).then_some(root)
+}
+
+fn is_same(form: &str, written: &str, language: Language) -> bool {
+    form == written || (form.len() >= 4 && root(form, language).is_some_and(|one| root(written, language) == Some(one)))
 }

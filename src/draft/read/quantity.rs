@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::number::{Spoken, number_at};
 use super::text::Text;
+use super::token::Kind;
 use super::vocabulary::{Bound, RangeWord, vocabulary};
 use crate::draft::wish::Amount;
 
@@ -158,10 +159,12 @@ pub(in crate::draft) fn quantity_at(text: &Text<'_>, at: usize) -> Option<Quanti
             next += tokens;
             None
         }
-        None => vocabulary().bounds.at(text, next).map(|(tokens, bound)| {
-            next += tokens;
-            *bound
-        }),
+        None => vocabulary().bounds.at(text, next).filter(|(tokens, _)| is_bound(text, next, *tokens)).map(
+            |(tokens, bound)| {
+                next += tokens;
+                *bound
+            },
+        ),
     };
     let first = end_at(text, next)?;
     next += first.tokens;
@@ -348,6 +351,12 @@ fn steps_at(text: &Text<'_>, at: usize) -> Option<(usize, Option<u32>)> {
     let equal = usize::from(matches!(text.form(behind), "equal" | "even" | "gleichen" | "egaux" | "egale" | "equally"));
     let step = range_word(text, behind + equal, RangeWord::Step)?;
     Some((comma + within + number.tokens + equal + step, Some(number.value as u32)))
+}
+
+/// Whether a bound is one here: signs such as `>` stand before digits only.
+fn is_bound(text: &Text<'_>, at: usize, tokens: usize) -> bool {
+    let is_sign = text.tokens.get(at).is_some_and(|token| matches!(token.kind, Kind::Mark(_)));
+    !is_sign || text.tokens.get(at + tokens).is_some_and(|next| next.number().is_some())
 }
 
 /// Whether a bound belongs to what stands before it: `three or more`, `12米左右`.

@@ -1,5 +1,7 @@
 //! A prompt that is being read: which words have told what, and what was learnt so far.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::measures::StandCue;
@@ -11,7 +13,7 @@ use super::text::Text;
 use super::token::Kind;
 use super::vocabulary::{Word, vocabulary};
 use crate::catalog::concepts::concepts;
-use crate::draft::find::is_known_thing;
+use crate::draft::find::{Found, is_known_thing, models};
 use crate::draft::wish::{Said, Source, Wish};
 use crate::draft::{Known, Problem};
 
@@ -39,6 +41,8 @@ pub(super) struct Reading<'a> {
     pub route: Parts,
     /// Tokens of the structure.
     pub environment_at: Option<Range<usize>>,
+    /// Models that were looked for, by name.
+    found: RefCell<BTreeMap<String, Result<Found, Vec<String>>>>,
 }
 
 impl<'a> Reading<'a> {
@@ -58,7 +62,13 @@ impl<'a> Reading<'a> {
             pending: Vec::new(),
             route: Parts::default(),
             environment_at: None,
+            found: RefCell::default(),
         }
+    }
+
+    /// The models that a name means: see [`models`].
+    pub fn models(&self, name: &str) -> Result<Found, Vec<String>> {
+        self.found.borrow_mut().entry(name.to_owned()).or_insert_with(|| models(name, self.known)).clone()
     }
 
     /// Finds the numbers that are left.
@@ -164,9 +174,9 @@ impl<'a> Reading<'a> {
 
     /// Whether a token is one that people say something between two others with.
     pub fn is_link(&self, at: usize) -> bool {
-        const LINKS: [&str; 30] = [
-            "of", "is", "be", "at", "a", "an", "the", "with", "by", "to", "=", ":", "von", "bei", "de", "d", "es",
-            "est", "ist", "à", "en", "in", "is", "是", "为", "在", "的", "about", "around", "set",
+        const LINKS: [&str; 19] = [
+            "of", "is", "be", "a", "an", "the", "=", ":", "von", "de", "d", "es", "est", "ist", "是", "为", "的", "\"",
+            "to",
         ];
         let form = self.text.form(at);
         LINKS.contains(&form) || form == "i" && self.text.words(at..at + 1) == "is"
@@ -174,8 +184,17 @@ impl<'a> Reading<'a> {
 
     /// How many tokens at a place name a thing that the table of things knows: of free words only.
     pub fn thing_at(&self, at: usize) -> Option<usize> {
-        let first = self.text.tokens.get(at).filter(|token| token.kind == Kind::Word)?;
-        let run = |most: usize| (at..self.len().min(at + most)).take_while(|&next| self.is_free(next));
+        self.named_at(at, |at| self.is_free(at))
+    }
+
+    /// As [`Self::thing_at`], of words that were read, too.
+    pub fn any_thing_at(&self, at: usize) -> Option<usize> {
+        self.named_at(at, |_| true)
+    }
+
+    fn named_at(&self, at: usize, may: impl Fn(usize) -> bool) -> Option<usize> {
+        let first = self.text.tokens.get(at).filter(|token| token.kind == Kind::Word && may(at))?;
+        let run = |most: usize| (at..self.len().min(at + most)).take_while(|&next| may(next));
         if first.is_ideograph() {
             let letters: Vec<&str> = run(6)
                 .take_while(|&next| self.text.tokens[next].is_ideograph())
@@ -188,16 +207,25 @@ impl<'a> Reading<'a> {
         }
         let is_word = |next: &usize| {
             let token = &self.text.tokens[*next];
-            token.kind == Kind::Word && !token.is_ideograph() || (token.number().is_some() && token.glued)
+            let ends = matches!(
+                token.form.as_str(),
+                "on" | "in" | "at" | "and" | "or" | "with" | "to" | "by" | "for" | "from" | "und" | "y" | "et"
+            );
+            (token.kind == Kind::Word && !token.is_ideograph() && !ends) || (token.number().is_some() && token.glued)
         };
-        let forms: Vec<String> = run(4).take_while(is_word).map(|next| self.text.form(next).to_owned()).collect();
-        if forms.is_empty() {
+        // The table of things leaves out words such as `de`: `carrito de compras`.
+        let silent =
+            |form: &str| matches!(form, "of" | "de" | "d" | "du" | "des" | "del" | "a" | "la" | "l" | "en" | "the");
+        let places: Vec<usize> =
+            run(6).take_while(is_word).filter(|&next| next == at || !silent(self.text.form(next))).collect();
+        let forms: Vec<String> = places.iter().map(|&next| self.text.form(next).to_owned()).collect();
+        if forms.is_empty() || silent(&forms[0]) {
             return None;
         }
         let units = concepts().units(&forms);
         let unit = units.first()?;
         if !unit.concepts.is_empty() {
-            return Some(unit.words.len());
+            return Some(places[unit.words.len() - 1] + 1 - at);
         }
         let is_compound = forms[0].len() >= 7
             && vocabulary().words.at(&self.text, at).is_none()

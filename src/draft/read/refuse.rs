@@ -43,7 +43,14 @@ pub(super) fn edit(reading: &Reading<'_>) -> Option<Problem> {
     ) {
         at += 1;
     }
-    let (tokens, ()) = vocabulary().edits.at(text, at)?;
+    // `Add a diver`, with nothing else said, is for a scene that is there.
+    let wish = &reading.wish;
+    let bare = reading.quantities.iter().all(|quantity| quantity.measure == super::quantity::Measure::Number)
+        && (0..reading.len()).all(|at| vocabulary().sediments.at(text, at).is_none())
+        && wish.sonar.devices.is_none();
+    let add = matches!(text.form(at), "add" | "insert" | "hinzufugen" | "anade" | "agrega" | "ajoute" | "ajouter")
+        .then_some((1, &()));
+    let (tokens, ()) = vocabulary().edits.at(text, at).or(add.filter(|_| bare))?;
     // `Make the dataset …` begins a request.
     let behind = text.form(at + tokens);
     let is_request = reading.word(at + tokens, Word::Images).is_some()
@@ -64,10 +71,7 @@ pub(super) fn edit(reading: &Reading<'_>) -> Option<Problem> {
 pub(super) fn everything(reading: &Reading<'_>) -> Option<Problem> {
     let text = &reading.text;
     let at = (0..reading.len()).find(|&at| {
-        let all = matches!(
-            text.form(at),
-            "every" | "all" | "each" | "alle" | "jede" | "jede" | "todo" | "tou" | "tout" | "every single"
-        );
+        let all = matches!(text.form(at), "every" | "all" | "each" | "alle" | "jede" | "todo" | "tou" | "tout");
         let noun = (at + 1..at + 4).any(|next| {
             matches!(
                 text.form(next),

@@ -30,7 +30,11 @@ const WEAK: [&str; 16] = [
 
 /// Finds the structure that a scene is in.
 pub(super) fn environment(reading: &mut Reading<'_>) {
-    let found = all(reading, &vocabulary().environments);
+    let mut found = all(reading, &vocabulary().environments);
+    // `pipeline trench` is a shape.
+    found.retain(|(tokens, _)| {
+        vocabulary().shapes.at(&reading.text, tokens.start).is_none_or(|(longer, _)| longer <= tokens.len())
+    });
     // `the pier of a harbour`: the first is what it is about; a dock in a harbour is part of it.
     let chosen = found
         .iter()
@@ -122,9 +126,11 @@ pub(super) fn seabed(reading: &mut Reading<'_>) {
     }
     // Words for the bottom itself say nothing more.
     for tokens in reading.find_all(Word::Bottom) {
-        let counted = reading.text.form(tokens.start.wrapping_sub(1)) == "of";
-        let _ = counted;
-        reading.take(tokens);
+        // `bottom mine`.
+        let of_thing = reading.any_thing_at(tokens.start).is_some_and(|count| count > tokens.len());
+        if !of_thing {
+            reading.take(tokens);
+        }
     }
 }
 
@@ -221,6 +227,12 @@ fn is_of_thing(reading: &Reading<'_>, at: usize, tokens: usize) -> bool {
         return true;
     }
     let form = reading.text.form(at);
+    // `lying flat`.
+    if form == "flat"
+        && matches!(reading.text.form(at.wrapping_sub(1)), "lying" | "laying" | "laid" | "lie" | "resting")
+    {
+        return true;
+    }
     let is_bottom_word = |near: usize| {
         reading.word(near, Word::Bottom).is_some() || vocabulary().sediments.at(&reading.text, near).is_some()
     };

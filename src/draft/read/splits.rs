@@ -67,6 +67,14 @@ fn row_of_numbers(reading: &Reading<'_>) -> Option<(Vec<Range<usize>>, [f64; 3])
             continue;
         }
         let sum: f64 = numbers.iter().sum();
+        let spoken = [Word::Split, Word::Train]
+            .into_iter()
+            .any(|word| !near(reading, word, std::slice::from_ref(&(at..next))).is_empty());
+        let slashes = (at..next).any(|at| text.is_mark(at, '/'));
+        if numbers.len() == 3 && spoken && slashes && (sum - 100.0).abs() > 1.5 && (sum - 1.0).abs() > 0.015 {
+            // What is wrong with them is told of the wish.
+            return Some((vec![at..next], [numbers[0] / 100.0, numbers[1] / 100.0, numbers[2] / 100.0]));
+        }
         let whole = if (sum - 100.0).abs() < 1.5 { 100.0 } else { 1.0 };
         let is_spoken_of = [Word::Split, Word::Train, Word::Validation, Word::Test]
             .into_iter()

@@ -110,9 +110,11 @@ pub(super) fn add(stands: &mut Vec<crate::draft::wish::Said<Stand>>, said: crate
     let completes = |known: &Stand| {
         matches!(
             (known, &said.value),
-            (Stand::Floating(None), Stand::Floating(Some(_)) | Stand::BelowSurface(_))
+            (Stand::Floating(None), Stand::Floating(Some(_)) | Stand::BelowSurface(_) | Stand::Moored(_))
+                | (Stand::Floating(Some(_)) | Stand::BelowSurface(_), Stand::Floating(None) | Stand::Moored(None))
                 | (Stand::Moored(None), Stand::Floating(Some(_)) | Stand::Moored(Some(_)))
                 | (Stand::Row(None), Stand::Apart(_))
+                | (Stand::Apart(_), Stand::Row(None))
                 | (Stand::Buried(_), Stand::Buried(_))
                 | (Stand::Around(_), Stand::Around(_) | Stand::Within(..))
         )
@@ -125,7 +127,10 @@ pub(super) fn add(stands: &mut Vec<crate::draft::wish::Said<Stand>>, said: crate
     };
     let value = match (&stands[place].value, said.value) {
         (Stand::Moored(_), Stand::Floating(amount)) => Stand::Moored(amount),
+        (Stand::Floating(amount @ Some(_)), Stand::Moored(None)) => Stand::Moored(amount.clone()),
+        (known @ (Stand::Floating(Some(_)) | Stand::BelowSurface(_)), _) => known.clone(),
         (Stand::Row(_), Stand::Apart(amount)) => Stand::Row(Some(amount)),
+        (Stand::Apart(amount), Stand::Row(None)) => Stand::Row(Some(amount.clone())),
         (_, other) => other,
     };
     stands[place] = crate::draft::wish::Said { value, source: joined(&stands[place].source, said.source) };

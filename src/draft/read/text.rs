@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::token::{Kind, Language, Token, tokens};
 use super::vocabulary::vocabulary;
 use crate::catalog::concepts::concepts;
+use crate::catalog::search::query::{half_errors, nearest};
 
 /// A prompt in pieces.
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ impl<'a> Text<'a> {
         let mut tokens = tokens(source, language);
         for token in tokens.iter_mut().filter(|token| token.kind == Kind::Word) {
             let misspelt = vocabulary().misspelt(&token.form).filter(|_| language == Language::English);
-            if let Some(meant) = misspelt.or_else(|| repaired(&token.form)) {
+            if let Some(meant) = misspelt.or_else(|| repaired(&token.form, language)) {
                 token.form = meant;
             }
         }
@@ -81,10 +82,11 @@ fn language_of(tokens: &[Token]) -> Language {
 }
 
 /// The known word that was meant by one that is not.
-fn repaired(form: &str) -> Option<String> {
+fn repaired(form: &str, language: Language) -> Option<String> {
     let letters = form.chars().count();
     let known = |word: &str| !vocabulary().languages_of(word).is_empty() || concepts().vocabulary().contains(word);
-    if letters < 4 || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
+    let is_thing = || concepts().units(&[form.to_owned()]).iter().any(|unit| !unit.concepts.is_empty());
+    if letters < 4 || is_thing() || !form.chars().all(|c| c.is_ascii_alphabetic()) || known(form) {
         return None;
     }
     let phonetic = form.replace('f', "ph");
@@ -97,7 +99,13 @@ fn repaired(form: &str) -> Option<String> {
         6 => 3,
         _ => 4,
     };
-    let vocabulary = vocabulary().words().filter(|word| word.len() >= 4);
-    let all = vocabulary.chain(concepts().vocabulary().iter().map(String::as_str));
-    crate::catalog::search::query::nearest(form, all, errors).map(str::to_owned)
+    let spoken = |word: &&str| {
+        let of = vocabulary().languages_of(word);
+        word.len() >= 4 && (of.contains(&Language::English) || of.contains(&language))
+    };
+    let said = nearest(form, vocabulary().words().filter(spoken), errors);
+    let named = nearest(form, concepts().vocabulary().iter().map(String::as_str), errors);
+    // Of words equally near, that of the request before that of a thing.
+    let off = |word: &&str| half_errors(form, word);
+    said.into_iter().chain(named).min_by_key(off).map(str::to_owned)
 }

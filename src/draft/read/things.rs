@@ -10,7 +10,6 @@ use super::stand::{Relation, StandWord, add, stand_word};
 use super::vocabulary::{Cue, Word, vocabulary};
 use crate::catalog::concepts::concepts;
 use crate::draft::Problem;
-use crate::draft::find::models;
 use crate::draft::wish::{Amount, Count, Side, Stand, Thing, Unknown};
 
 /// Finds the things.
@@ -35,12 +34,33 @@ pub(super) fn spot(reading: &mut Reading<'_>, stands: Vec<StandCue>) {
             walk.at = before + 1;
         }
     }
+    walk.mines();
     let headings = std::mem::take(&mut walk.headings);
     if walk.reading.wish.things.is_empty() && walk.reading.wish.unknown.is_empty() {
         for noun in headings {
             walk.thing(&noun);
         }
     }
+}
+
+/// Parts of structures that are no things by themselves.
+fn is_part(form: &str) -> bool {
+    matches!(
+        form,
+        "wall"
+            | "side"
+            | "floor"
+            | "face"
+            | "edge"
+            | "corner"
+            | "wand"
+            | "mauer"
+            | "pared"
+            | "muro"
+            | "mur"
+            | "pile"
+            | "墙"
+    )
 }
 
 struct Walk<'r, 'a> {
@@ -73,7 +93,7 @@ impl Walk<'_, '_> {
             self.at = cue.tokens.end;
             return self.cue(&cue);
         }
-        if self.mark() || self.place() || self.half() || self.each() || self.turn() {
+        if self.mark() || self.place() || self.area() || self.half() || self.each() || self.more() || self.turn() {
             return;
         }
         if let Some((tokens, word)) = stand_word(self.reading, at)
@@ -159,6 +179,43 @@ impl Walk<'_, '_> {
         true
     }
 
+    /// `and one standing upright`: more of the same.
+    fn more(&mut self) -> bool {
+        let Some(number) = self.reading.number_at(self.at) else { return false };
+        let (tokens, value) = (number.tokens.clone(), number.amount.ends()[1]);
+        let Some(&last) = self.group.last().filter(|_| (1.0..1e5).contains(&value)) else { return false };
+        let told = stand_word(self.reading, tokens.end)
+            .is_some_and(|(_, word)| !matches!(word, StandWord::Heap | StandWord::Row));
+        let known = noun_at(self.reading, &self.stands, self.at).is_some();
+        if !told || known || value.fract() != 0.0 || !self.closed {
+            return false;
+        }
+        let mut other = self.reading.wish.things[last].clone();
+        other.stands.clear();
+        other.count = Some(self.reading.said(tokens.clone(), Count::Exactly(value as u32)));
+        self.reading.wish.things.push(other);
+        self.group = vec![self.reading.wish.things.len() - 1];
+        self.closed = false;
+        self.at = tokens.end;
+        true
+    }
+
+    /// `over a 10 by 10 m area`: about the middle.
+    fn area(&mut self) -> bool {
+        let Some(found) = self.reading.sides.iter().position(|(_, tokens)| tokens.start == self.at) else {
+            return false;
+        };
+        let (sides, tokens) = self.reading.sides.remove(found);
+        self.at = tokens.end;
+        if let [x, y, ..] = sides.as_slice()
+            && !self.group.is_empty()
+            && tokens.clone().all(|at| self.reading.is_free(at))
+        {
+            self.attach(tokens, Stand::Within([-x / 2.0, -y / 2.0], [x / 2.0, y / 2.0]));
+        }
+        true
+    }
+
     /// `half of them moored, half lying`: two things of half each.
     fn half(&mut self) -> bool {
         let Some(tokens) = self.reading.word(self.at, Word::HalfOf).filter(|_| self.reading.is_free(self.at)) else {
@@ -225,6 +282,10 @@ impl Walk<'_, '_> {
     /// Words that turn things off, or on again.
     fn turn(&mut self) -> bool {
         let free = self.reading.is_free(self.at);
+        // `no more than three cans`.
+        if self.reading.number_at(self.at).is_some_and(|number| number.bound.is_some()) {
+            return false;
+        }
         let off = self.reading.word(self.at, Word::Without).filter(|_| free);
         let on = self.reading.word(self.at, Word::Include).filter(|_| free);
         match (off, on) {
@@ -272,7 +333,22 @@ impl Walk<'_, '_> {
             }
             return true;
         }
-        let Some(stand) = word.stand() else { return true };
+        let Some(mut stand) = word.stand() else { return true };
+        // `halb im Schlamm vergraben`: the share stands apart from the word.
+        if let Stand::Buried(amount) = &mut stand {
+            let share = self.reading.quantities.iter().find(|quantity| {
+                quantity.measure == super::quantity::Measure::Share
+                    && quantity.tokens.end <= words.start
+                    && quantity.tokens.end + 5 > words.start
+                    // `half of the tires`: of them, not of each.
+                    && !matches!(self.reading.text.form(quantity.tokens.end), "of" | "the" | "der" | "de" | "des")
+                    && quantity.tokens.clone().all(|at| self.reading.is_free(at))
+            });
+            if let Some(share) = share.cloned() {
+                *amount = share.amount;
+                self.reading.take(share.tokens);
+            }
+        }
         if self.group.is_empty() || self.is_order(words.start) {
             self.group.clear();
             self.lead.push((words, word));
@@ -326,9 +402,9 @@ impl Walk<'_, '_> {
         }
         let vehicle =
             self.reading.word(next, Word::Vehicle).filter(|_| !matches!(text.form(next.wrapping_sub(1)), "a" | "an"));
-        let structure =
-            self.reading.environment_at.as_ref().is_some_and(|place| (next..next + 2).contains(&place.start))
-                || vocabulary().environments.at(text, next).is_some();
+        let structure = self.reading.environment_at.as_ref().is_some_and(|place| {
+            (next..next + 5).contains(&place.start) && (place.start <= next + 1 || is_part(text.form(next)))
+        }) || vocabulary().environments.at(text, next).is_some();
         let side = match relation {
             Relation::Near(side) => side,
             Relation::Leaning | Relation::On => None,
@@ -346,6 +422,14 @@ impl Walk<'_, '_> {
         }
         let follows =
             noun_at(self.reading, &self.stands, self.at).or_else(|| noun_at(self.reading, &self.stands, next));
+        if self.group.is_empty() {
+            // `3 m in front of an anchor`: of who looks.
+            if let Some(distance) = distance {
+                let said = self.reading.said(words, distance);
+                self.reading.wish.path.range_m.get_or_insert(said);
+            }
+            return;
+        }
         match (follows, side) {
             (Some(_), _) => self.relation = Some((relation, distance, words)),
             (None, Some(side)) => self.attach(words, Stand::FromVehicle { side, distance_m: distance }),
@@ -372,6 +456,10 @@ impl Walk<'_, '_> {
             Cue::BelowSurface => self.attach(tokens, Stand::BelowSurface(amount)),
             Cue::Apart => self.attach(tokens, Stand::Apart(amount)),
             Cue::Radius => self.attach(tokens, Stand::Around(amount)),
+            Cue::Burial if self.group.is_empty() => {
+                let [low, high] = amount.ends();
+                self.lead.push((tokens, StandWord::Buried(low, high)));
+            }
             Cue::Burial => self.attach(tokens, Stand::Buried(amount)),
             Cue::Size => {
                 if let Some(&last) = self.group.last() {
@@ -444,11 +532,13 @@ impl Walk<'_, '_> {
         if alike {
             return;
         }
+        // `the wall of the tank`: part of the structure.
+        if self.reading.environment_at.is_some() && is_part(&noun.name) {
+            return;
+        }
         if self.negating {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label);
-            let label = label
-                .ok()
-                .or_else(|| crate::draft::find::name_of(&noun.name))
+            let label = crate::draft::find::name_of(&noun.name)
+                .or_else(|| self.reading.models(&noun.name).map(|found| found.label).ok())
                 .unwrap_or_else(|| noun.name.to_lowercase());
             let said = self.reading.said(noun.tokens.clone(), label);
             self.reading.wish.without.push(said);
@@ -459,7 +549,7 @@ impl Walk<'_, '_> {
             return self.backwards(noun);
         }
         let is_group = || {
-            let label = models(&noun.name, self.reading.known).map(|found| found.label).unwrap_or_default();
+            let label = self.reading.models(&noun.name).map(|found| found.label).unwrap_or_default();
             label == "uxo" || concepts().number(&label).is_some_and(|number| concepts().is_group(number))
         };
         if text.is_mark(noun.tokens.end, ':') && noun.count.is_none() && noun.article == Article::None && is_group() {
@@ -484,7 +574,7 @@ impl Walk<'_, '_> {
     fn thing(&mut self, noun: &Noun) {
         self.reading.take(noun.tokens.clone());
         let said = self.reading.said(noun.named.clone(), self.reading.text.words(noun.named.clone()).to_owned());
-        let found = match models(&noun.name, self.reading.known) {
+        let found = match self.reading.models(&noun.name) {
             Ok(found) => found,
             Err(near) => {
                 let unknown =
@@ -558,6 +648,26 @@ impl Walk<'_, '_> {
             self.group.push(place);
         }
         self.halves = 0;
+    }
+
+    /// Of mines, those on a line are moored mines, and of two halves those on the ground are bottom mines.
+    fn mines(&mut self) {
+        let on_line = |thing: &Thing| {
+            thing.label == "mine"
+                && thing.stands.iter().any(|said| matches!(said.value, Stand::Moored(_) | Stand::Floating(_)))
+        };
+        let both = self.reading.wish.things.iter().any(on_line);
+        for place in 0..self.reading.wish.things.len() {
+            let thing = &self.reading.wish.things[place];
+            let name = match (thing.label.as_str(), on_line(thing)) {
+                ("mine", true) => "moored mine",
+                ("mine", false) if both => "bottom mine",
+                _ => continue,
+            };
+            if let Ok(found) = self.reading.models(name) {
+                self.reading.wish.things[place].models = found.models;
+            }
+        }
     }
 
     /// `the anchor` is one.

@@ -197,6 +197,17 @@ impl Cut<'_> {
             self.at += 1;
         }
         let run: String = (begin..self.at).filter_map(|at| self.letter(at)).collect();
+        // `1e3`.
+        let exponent: String =
+            (1..3).filter_map(|more| self.letter(self.at + more)).take_while(char::is_ascii_digit).collect();
+        if self.is(self.at, |c| matches!(c, 'e' | 'E'))
+            && !exponent.is_empty()
+            && !self.is(self.at + 1 + exponent.len(), char::is_alphanumeric)
+            && let Some(value) = format!("{run}e{exponent}").parse().ok().filter(|value: &f64| value.is_finite())
+        {
+            self.at += 1 + exponent.len();
+            return self.push(begin, self.at, Kind::Number(value), run);
+        }
         match self.value(&run, begin) {
             Some(value) => self.push_number(begin, value, run),
             None => self.separately(begin),

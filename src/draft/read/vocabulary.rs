@@ -77,6 +77,7 @@ pub(in crate::draft) enum RangeWord {
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord)]
 #[serde(rename_all = "kebab-case")]
 pub(in crate::draft) enum Cue {
+    Visibility,
     Depth,
     BelowSurface,
     AboveSurface,

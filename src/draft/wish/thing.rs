@@ -90,6 +90,19 @@ pub enum Side {
     Right,
 }
 
+impl Side {
+    /// The other side.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Front => Self::Behind,
+            Self::Behind => Self::Front,
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
 /// A thing that no catalog has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unknown {
