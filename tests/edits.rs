@@ -139,3 +139,88 @@ fn other_line_ends_and_a_byte_order_mark_stay() {
         }
     });
 }
+
+/// Runs the program in a folder: exit code, standard output, standard error.
+fn program(folder: &Path, arguments: &[&str], input: &str) -> (i32, String, String) {
+    use std::io::Write as _;
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(env!("CARGO_BIN_EXE_ensonify"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    child.stdin.take().expect("piped").write_all(input.as_bytes()).expect("it reads");
+    let out = child.wait_with_output().expect("it ends");
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    (out.status.code().unwrap_or(-1), text(out.stdout), text(out.stderr))
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_without_a_yes_and_undo_gives_the_same_bytes() {
+    with_folder(|cases, folder, _| {
+        let path = folder.join("hover.yaml");
+        let before = format!("\u{feff}{}", cases.recipes["hover"].replace('\n', "\r\n"));
+        std::fs::write(&path, &before).unwrap();
+        let read = || std::fs::read_to_string(&path).unwrap();
+        let (code, out, err) = program(folder, &["edit", "hover.yaml", "range 15 m"], "");
+        assert_eq!((code, read() == before), (0, true), "{err}");
+        assert!(out.contains("+  range_m: [0.5, 15]") && err.contains("--yes"), "{out}{err}");
+        assert_eq!(program(folder, &["edit", "hover.yaml", "range 15 m", "--yes"], "").0, 0);
+        let after = read();
+        assert_eq!(after, before.replace("[0.5, 10]", "[0.5, 15]"));
+        assert_eq!(program(folder, &["edit", "hover.yaml", "--set", "frames=5", "-y"], "").0, 0);
+        assert_eq!(program(folder, &["edit", "hover.yaml", "--undo"], "").0, 0);
+        assert_eq!(read(), after);
+        assert_eq!(program(folder, &["edit", "hover.yaml", "--undo"], "").0, 0);
+        assert_eq!(read(), before);
+        assert_eq!(program(folder, &["edit", "hover.yaml", "--redo"], "").0, 0);
+        assert_eq!(read(), after);
+    });
+}
+
+#[cfg(unix)]
+#[test]
+fn what_would_not_run_is_not_written() {
+    with_folder(|_, folder, _| {
+        let path = folder.join("hover.yaml");
+        let before = std::fs::read(&path).unwrap();
+        for arguments in [
+            &["edit", "hover.yaml", "--set", "water.salinity_ppt=-5", "--yes"][..],
+            &["edit", "hover.yaml", "--set", "water.wetness=5", "--yes"],
+            &["edit", "hover.yaml", "add a unicorn", "--yes"],
+            &["edit", "hover.yaml", "tell me a joke", "--yes"],
+            &["edit", "nothing.yaml", "range 15 m", "--yes"],
+        ] {
+            let (code, _, err) = program(folder, arguments, "");
+            assert_eq!((code, std::fs::read(&path).unwrap() == before), (2, true), "{arguments:?}: {err}");
+            assert!(err.contains("help:") || err.contains("no such file"), "{arguments:?}: {err}");
+        }
+    });
+}
+
+#[cfg(unix)]
+#[test]
+fn a_conversation_through_a_pipe() {
+    with_folder(|cases, folder, _| {
+        let path = folder.join("hover.yaml");
+        let lines = "make the water murkier\nundo\nredo\nrange 15 m\nshow\n";
+        let (code, out, err) = program(folder, &["chat", "hover.yaml", "--no-preview"], lines);
+        assert_eq!(code, 0, "{err}");
+        let expected = cases.recipes["hover"]
+            .replace("[0.5, 10]", "[0.5, 15]")
+            .replace("  depth_m: 12\n", "  depth_m: 12\n  turbidity: coastal\n");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), expected);
+        assert!(out.ends_with(&expected), "{out}");
+        let (code, _, err) = program(folder, &["chat", "hover.yaml", "--no-preview"], "range 12 m\nadd a unicorn\n");
+        assert_eq!(code, 2, "{err}");
+        assert!(std::fs::read_to_string(&path).unwrap().contains("[0.5, 12]"));
+        let first = "two tires on mud at 10 m depth\nmake the water murkier\n";
+        let (code, _, err) = program(folder, &["chat", "new.yaml", "--no-preview"], first);
+        assert_eq!(code, 0, "{err}");
+        assert!(std::fs::read_to_string(folder.join("new.yaml")).unwrap().contains("tire"));
+    });
+}

@@ -16,10 +16,10 @@ impl Move {
     /// A number, moved; of a few digits again.
     #[must_use]
     pub fn of(self, value: f64) -> f64 {
-        rounded(match self {
-            Self::By(more) => value + more,
-            Self::Times(factor) => value * factor,
-        })
+        match self {
+            Self::By(more) => rounded(value + more),
+            Self::Times(factor) => short(value * factor),
+        }
     }
 }
 
@@ -27,6 +27,11 @@ impl Move {
 #[must_use]
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// Three significant digits: what is made by a factor is not exacter.
+fn short(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// A value with all its numbers moved; none where it has no numbers, or refers to a name.

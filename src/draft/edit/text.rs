@@ -79,7 +79,7 @@ fn made(text: &str, edit: &Edit) -> Option<String> {
         Edit::Add { path, entry, index } => {
             let (place, in_flow) = written.place(path)?;
             match place.form {
-                Form::FlowMap | Form::FlowList => flow::add(place, *index, entry),
+                Form::FlowMap | Form::FlowList => flow::add(text, place, *index, entry),
                 Form::BlockMap | Form::BlockList if !in_flow => block::add(&written, place, *index, entry),
                 _ => return None,
             }
@@ -87,7 +87,7 @@ fn made(text: &str, edit: &Edit) -> Option<String> {
         Edit::Drop(path) => {
             let spot = written.spot(path)?;
             match spot.around.form {
-                Form::FlowMap | Form::FlowList => flow::drop_part(&spot),
+                Form::FlowMap | Form::FlowList => flow::drop_part(text, &spot),
                 _ => block::drop_part(&written, &spot)?,
             }
         }

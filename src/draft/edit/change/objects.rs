@@ -7,6 +7,7 @@ use crate::catalog::words::words;
 use crate::draft::edit::act::{Act, list, map, number as numeral, word};
 use crate::draft::edit::numbers;
 use crate::draft::edit::subject::{Subject, Whose};
+use crate::draft::read::vocabulary::vocabulary;
 use crate::draft::wish::{Count, Stand};
 use crate::draft::{Known, Models, Problem};
 use crate::recipe::Node;
@@ -57,6 +58,15 @@ impl Item<'_> {
         }
     }
 
+    /// Uids of its models but those that somebody means, in the order of the recipe.
+    fn others(&self, which: &Which) -> Vec<String> {
+        let rest = self.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !which.labels.contains(label));
+        let mut uids: Vec<String> = rest.map(|(uid, _)| uid.clone()).collect();
+        let listed = self.node.at("pick.uid").map_or(&[][..], Node::items);
+        uids.sort_by_key(|uid| listed.iter().position(|node| node.text() == Some(uid)));
+        uids
+    }
+
     /// Whether poses may refer to it by this label.
     pub fn is_called(&self, label: &str) -> bool {
         match self.node.get("label").and_then(Node::text) {
@@ -86,6 +96,18 @@ fn what_is_there(items: &[Item<'_>]) -> String {
     if names.is_empty() { "there are no objects".to_owned() } else { format!("there are {}", names.join("; ")) }
 }
 
+/// What somebody means among the items: where nothing is called just so, what passes for it.
+fn widened(which: &Which, items: &[Item<'_>]) -> Which {
+    let mut which = which.clone();
+    if items.iter().all(|item| item.has(&which) == Has::None) {
+        let labels = items.iter().flat_map(|item| item.models.iter().map(|(_, label)| label));
+        let passes = |label: &&String| which.labels.iter().any(|called| vocabulary().passes(label, called));
+        let more: Vec<String> = labels.filter(passes).cloned().collect();
+        which.labels.extend(more);
+    }
+    which
+}
+
 fn nothing(which: &Which, items: &[Item<'_>]) -> Problem {
     Problem::whole(
         format!("the recipe has no {}", which.called),
@@ -106,6 +128,7 @@ fn own_list(subject: &Subject) -> Result<(), Problem> {
 pub(super) fn remove(subject: &Subject, known: &Known, which: &Which) -> Result<Acts, Problem> {
     own_list(subject)?;
     let items = items(subject, known);
+    let which = &widened(which, &items);
     let mut acts = Acts::default();
     for item in items.iter().rev() {
         acts = match item.has(which) {
@@ -117,16 +140,12 @@ pub(super) fn remove(subject: &Subject, known: &Known, which: &Which) -> Result<
     if acts.acts.is_empty() {
         return Err(nothing(which, &items));
     }
-    refuse_orphans(&items, &acts, which)?;
     Ok(acts)
 }
 
 /// An item of several models, without some.
 fn without(item: &Item<'_>, which: &Which) -> Acts {
-    let named = |label: &String| which.labels.contains(label);
-    let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
-    let mut uids: Vec<Node> = rest.map(|(uid, _)| word(uid)).collect();
-    let value = if uids.len() == 1 { uids.remove(0) } else { list(uids) };
+    let value = words_of(&item.others(which));
     let pick = item.node.get("pick");
     let is_listed = pick.and_then(|pick| pick.get("uid")).is_some();
     if is_listed {
@@ -137,23 +156,16 @@ fn without(item: &Item<'_>, which: &Which) -> Acts {
     Acts::one(Act::set(format!("{}.pick", item.path), map([("catalog", catalog), ("uid", value)]))).note(note)
 }
 
-/// Refuses to leave objects beside, on or against what is there no more.
-fn refuse_orphans(items: &[Item<'_>], acts: &Acts, which: &Which) -> Result<(), Problem> {
-    let goes = |item: &Item<'_>| acts.acts.iter().any(|act| act.path() == item.path);
-    let stays: Vec<&Item<'_>> = items.iter().filter(|item| !goes(item)).collect();
-    for item in &stays {
-        let Some((path, of)) = pose::refers_to(item.node) else { continue };
-        let there = |other: &&&Item<'_>| other.index != item.index && other.is_called(of);
-        let was_there = items.iter().any(|other| goes(other) && other.is_called(of));
-        if was_there && !stays.iter().any(|other| there(&other)) {
-            let what = format!("{} stands by the {of} (`{}.{path}`)", item.names(), item.path);
-            return Err(Problem::whole(
-                what,
-                format!("remove it, too: `remove the {} and the {}`", which.called, item.names()),
-            ));
-        }
-    }
-    Ok(())
+/// Objects whose pose refers to what no other object is called: what they are called, where it is said, and to what.
+pub(super) fn orphans(subject: &Subject, known: &Known) -> Vec<[String; 3]> {
+    let items = items(subject, known);
+    let alone =
+        |item: &&Item<'_>, of: &str| !items.iter().any(|other| other.index != item.index && other.is_called(of));
+    let orphan = |item: &Item<'_>| {
+        let (path, of) = pose::refers_to(item.node)?;
+        alone(&item, of).then(|| [item.names(), format!("{}.{path}", item.path), of.to_owned()])
+    };
+    items.iter().filter_map(orphan).collect()
 }
 
 /// All objects go.
@@ -170,7 +182,8 @@ pub(super) fn add(subject: &Subject, known: &Known, addition: &Addition) -> Resu
     own_list(subject)?;
     let items = items(subject, known);
     let wanted = pick_of(&addition.thing.models);
-    let same = |item: &&Item<'_>| item.node.get("pick").is_some_and(|pick| pick.json() == wanted.json());
+    let uids = &addition.thing.models.uids;
+    let same = |item: &&Item<'_>| !item.models.is_empty() && item.models.iter().all(|(uid, _)| uids.contains(uid));
     let places = addition.stands.iter().any(|stand| !matches!(stand, Stand::Resting));
     if addition.is_more
         && !places
@@ -202,11 +215,15 @@ fn pick_of(models: &Models) -> Node {
     let catalog = ("catalog", word(&models.catalog));
     match &models.label {
         Some(label) if models.is_whole_label && models.uids.len() > 1 => map([catalog, ("label", word(label))]),
-        _ => {
-            let mut uids: Vec<Node> = models.uids.iter().map(|uid| word(uid)).collect();
-            let value = if uids.len() == 1 { uids.remove(0) } else { list(uids) };
-            map([catalog, ("uid", value)])
-        }
+        _ => map([catalog, ("uid", words_of(&models.uids))]),
+    }
+}
+
+/// One word, or a list of several.
+fn words_of(words: &[String]) -> Node {
+    match words {
+        [one] => word(one),
+        several => list(several.iter().map(|text| word(text)).collect()),
     }
 }
 
@@ -221,41 +238,48 @@ fn count_of(count: Count) -> Node {
 pub(super) fn swap(subject: &Subject, known: &Known, which: &Which, thing: &Named) -> Result<Acts, Problem> {
     own_list(subject)?;
     let items = items(subject, known);
-    let wanted = pick_of(&thing.models);
+    let which = &widened(which, &items);
     let mut acts = Acts::default();
     for item in &items {
         match item.has(which) {
             Has::None => {}
-            Has::All => {
-                acts.acts.push(Act::set(format!("{}.pick", item.path), wanted.clone()));
-                if let Some(label) = item.node.get("label").and_then(Node::text) {
-                    acts.acts.push(Act::set(format!("{}.label", item.path), word(&thing.label)));
-                    let by = items.iter().filter_map(|other| Some((other, pose::refers_to(other.node)?)));
-                    let by = by.filter(|(_, (_, of))| *of == label);
-                    acts.acts.extend(
-                        by.map(|(other, (path, _))| Act::set(format!("{}.{path}", other.path), word(&thing.label))),
-                    );
-                }
-            }
+            Has::All => acts = acts.with(swapped(item, &items, thing)),
             Has::Some => {
-                let named = |label: &String| which.labels.contains(label);
-                let rest = item.models.iter().filter(|(uid, label)| !which.uids.contains(uid) && !named(label));
-                let mut uids: Vec<String> = rest.map(|(uid, _)| uid.clone()).collect();
-                uids.extend(
-                    thing.models.uids.iter().filter(|uid| !item.models.iter().any(|(own, _)| own == *uid)).cloned(),
-                );
-                let uids = list(uids.iter().map(|uid| word(uid)).collect());
-                acts.acts.push(Act::set(format!("{}.pick.uid", item.path), uids));
+                let mut uids = item.others(which);
+                uids.extend(thing.models.uids.iter().filter(|uid| !uids.contains(uid)).cloned().collect::<Vec<_>>());
+                acts.acts.push(Act::set(format!("{}.pick.uid", item.path), words_of(&uids)));
             }
         }
     }
     if acts.acts.is_empty() { Err(nothing(which, &items)) } else { Ok(acts) }
 }
 
+/// An item with other models; what stands by it refers to them then.
+fn swapped(item: &Item<'_>, items: &[Item<'_>], thing: &Named) -> Acts {
+    let mut acts = Acts::one(Act::set(format!("{}.pick", item.path), pick_of(&thing.models)));
+    let own = item.node.get("label").and_then(Node::text);
+    let new = match (own, &thing.models.label) {
+        (None, Some(label)) => label,
+        _ => &thing.label,
+    };
+    if own.is_some() || thing.models.label.is_none() {
+        acts.acts.push(Act::set(format!("{}.label", item.path), word(new)));
+    }
+    for other in items {
+        if let Some((path, of)) = pose::refers_to(other.node)
+            && item.is_called(of)
+        {
+            acts.acts.push(Act::set(format!("{}.{path}", other.path), word(new)));
+        }
+    }
+    acts
+}
+
 /// Another number of some.
 pub(super) fn number(subject: &Subject, known: &Known, which: &Which, number: NumberOf) -> Result<Acts, Problem> {
     own_list(subject)?;
     let items = items(subject, known);
+    let which = &widened(which, &items);
     let whole: Vec<&Item<'_>> = items.iter().filter(|item| item.has(which) == Has::All).collect();
     let mixed = items.iter().find(|item| item.has(which) == Has::Some);
     match (&whole[..], mixed, number) {
@@ -304,6 +328,7 @@ fn moved(subject: &Subject, item: &Item<'_>, how: Move) -> Result<Acts, Problem>
 pub(super) fn stand(subject: &Subject, known: &Known, which: &Which, stands: &[Stand]) -> Result<Acts, Problem> {
     own_list(subject)?;
     let items = items(subject, known);
+    let which = &widened(which, &items);
     if items.iter().all(|item| item.has(which) == Has::None) {
         return Err(nothing(which, &items));
     }
@@ -318,18 +343,26 @@ pub(super) fn stand(subject: &Subject, known: &Known, which: &Which, stands: &[S
 
 /// Whether a recipe has what somebody calls so.
 pub(in crate::draft::edit) fn has(subject: &Subject, known: &Known, which: &Which) -> bool {
-    items(subject, known).iter().any(|item| item.has(which) != Has::None)
+    let items = items(subject, known);
+    let which = widened(which, &items);
+    items.iter().any(|item| item.has(&which) != Has::None)
 }
 
 /// The label by which poses refer to what somebody calls so.
 pub(in crate::draft::edit) fn label_of(subject: &Subject, known: &Known, which: &Which) -> Option<String> {
     let items = items(subject, known);
+    let which = &widened(which, &items);
     let of_item = |item: &Item<'_>, wanted: Has| {
         if item.has(which) != wanted {
             return None;
         }
         let own = item.node.get("label").and_then(Node::text).map(str::to_owned);
-        own.or_else(|| item.models.iter().find(|(uid, _)| which.uids.contains(uid)).map(|(_, label)| label.clone()))
+        own.or_else(|| {
+            item.models
+                .iter()
+                .find(|(uid, label)| which.uids.contains(uid) || which.labels.contains(label))
+                .map(|(_, label)| label.clone())
+        })
     };
     [Has::All, Has::Some].into_iter().find_map(|wanted| items.iter().find_map(|item| of_item(item, wanted)))
 }

@@ -134,7 +134,7 @@ fn ladder(subject: &Subject, path: &str, name: &str, ladder: &[&str], steps: i32
         let mut climb = Climb::default();
         let value = climbed(node, ladder, steps, &mut climb)?;
         for word in climb.at_end {
-            acts.notes.push(format!("`{word}` is the end of the {name}s that there are"));
+            acts.notes.push(format!("`{word}` stays: nothing is beyond it for the {name}"));
         }
         Some(value)
     };

@@ -23,10 +23,10 @@ pub(super) fn value_in(written: &Written<'_>, spot: &Spot<'_>, value: &str) -> S
 }
 
 /// A key or an item more.
-pub(super) fn add(place: &Place, index: usize, entry: &Entry) -> Splice {
+pub(super) fn add(text: &str, place: &Place, index: usize, entry: &Entry) -> Splice {
     let value = emit::flow(&entry.value);
     let new = entry.key.as_ref().map_or_else(|| value.clone(), |key| format!("{}: {value}", emit::key(key)));
-    let at = |at: usize, with: String| Splice { range: at..at, with };
+    let at = |at: usize, with: String| aligned(text, Splice { range: at..at, with });
     match (place.parts.get(index), index.checked_sub(1).and_then(|before| place.parts.get(before))) {
         (_, Some(before)) => at(before.place.range.end, format!(", {new}")),
         (Some(after), None) => at(after.start(), format!("{new}, ")),
@@ -35,7 +35,7 @@ pub(super) fn add(place: &Place, index: usize, entry: &Entry) -> Splice {
 }
 
 /// A key or an item less.
-pub(super) fn drop_part(spot: &Spot<'_>) -> Splice {
+pub(super) fn drop_part(text: &str, spot: &Spot<'_>) -> Splice {
     let parts = &spot.around.parts;
     let own = spot.part.start()..spot.place.range.end;
     let range = match (parts.get(spot.index + 1), spot.index.checked_sub(1)) {
@@ -43,7 +43,7 @@ pub(super) fn drop_part(spot: &Spot<'_>) -> Splice {
         (None, Some(before)) => parts[before].place.range.end..own.end,
         (None, None) => spot.around.range.start + 1..spot.around.range.end - 1,
     };
-    Splice { range, with: String::new() }
+    aligned(text, Splice { range, with: String::new() })
 }
 
 /// The splice with as many blanks before the comment at the end of its line that the comment stays where it is.

@@ -56,6 +56,13 @@ fn settle(old: &Node, new: &Node, path: &str, edits: &mut Vec<Edit>) {
 
 fn maps(before: &[(Key, Node)], after: &[(Key, Node)], path: &str, edits: &mut Vec<Edit>) {
     let find = |entries: &[(Key, Node)], key: &Key| entries.iter().position(|(k, _)| k.text == key.text);
+    let others = after.iter().any(|(key, _)| find(before, key).is_none());
+    if path.ends_with(".choice") && others {
+        // Words with their weights are one thing: they keep the order of what they were.
+        let map = Node { kind: Kind::Map(after.to_vec()), span: after[0].1.span.clone() };
+        edits.push(Edit::Replace(path.to_owned(), map));
+        return;
+    }
     for (key, value) in before {
         if let Some(index) = find(after, key) {
             settle(value, &after[index].1, &under(path, &key.text), edits);

@@ -41,7 +41,7 @@ impl Reader<'_> {
         let at = self.at;
         if let Some((tokens, ())) = self.phrase(&lexicon().images, at) {
             let next = self.skip(self.behind_to(at + tokens));
-            return Ok(self.quantity(next).and_then(|found| self.images(at, &found)));
+            return Ok(self.quantity(next).and_then(|found| self.images(at..found.tokens.end, &found)));
         }
         let Some((tokens, param)) = self.phrase(&lexicon().params, at) else { return Ok(None) };
         let next = at + tokens;
@@ -81,7 +81,7 @@ impl Reader<'_> {
             return Ok(Some(behind + tokens));
         }
         if let Some((tokens, ())) = self.phrase(&lexicon().images, behind) {
-            return Ok(self.images(self.at, &found).map(|_| behind + tokens));
+            return Ok(self.images(self.at..behind + tokens, &found));
         }
         // `increase the depth by 5 m and the range` has its number behind; a number alone belongs to what was spoken of.
         match self.param.filter(|param| fits(*param, found.measure) && found.measure != Measure::Number) {
@@ -94,13 +94,14 @@ impl Reader<'_> {
         }
     }
 
-    fn images(&mut self, at: usize, found: &Quantity) -> Option<usize> {
+    fn images(&mut self, tokens: std::ops::Range<usize>, found: &Quantity) -> Option<usize> {
         let Amount::Exactly(count) = found.amount else { return None };
         if found.measure != Measure::Number || count < 1.0 || count > 1e9 {
             return None;
         }
-        self.change(at..found.tokens.end, Change::Images(count as u64));
-        Some(found.tokens.end)
+        let end = tokens.end;
+        self.change(tokens, Change::Images(count as u64));
+        Some(end)
     }
 
     pub(super) fn quantity(&self, at: usize) -> Option<Quantity> {

@@ -3,6 +3,7 @@
 use super::Reader;
 use super::words::{Manner, lexicon};
 use crate::draft::read::number::number_at;
+use crate::draft::read::quantity::Measure;
 use crate::draft::read::vocabulary::{Vague, vocabulary};
 use crate::draft::wish::{Count, Stand};
 
@@ -32,6 +33,10 @@ impl Reader<'_> {
         loop {
             let at = counted.end;
             let form = self.text.form(at);
+            // `3 m` counts nothing.
+            if self.quantity(at).is_some_and(|found| !matches!(found.measure, Measure::Number | Measure::Share)) {
+                return counted;
+            }
             if let Some(number) =
                 number_at(&self.text, at).filter(|number| counted.count.is_none() && is_count(number.value))
             {

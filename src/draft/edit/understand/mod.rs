@@ -64,6 +64,8 @@ struct Reader<'a> {
     at: usize,
     /// What is to be done with what comes.
     verb: Option<Verb>,
+    /// Where that is said, until something is done.
+    verb_at: Option<usize>,
     /// What `it` is.
     held: Option<Held>,
     topic: Option<Topic>,
@@ -92,6 +94,7 @@ impl<'a> Reader<'a> {
             known,
             at: 0,
             verb: None,
+            verb_at: None,
             held: None,
             topic: None,
             param: None,
@@ -102,7 +105,8 @@ impl<'a> Reader<'a> {
 
     /// Reads what stands at the next token.
     fn next(&mut self) -> Result<(), Problem> {
-        let rules: [fn(&mut Self) -> Step; 13] = [
+        let rules: [fn(&mut Self) -> Step; 14] = [
+            Self::clears,
             Self::names,
             Self::splits,
             Self::devices,
@@ -130,7 +134,9 @@ impl<'a> Reader<'a> {
 
     /// Notes a change that some tokens ask for.
     fn change(&mut self, tokens: Range<usize>, change: Change) {
-        self.changes.push(Said::by(self.text.bytes(tokens), change));
+        // Only little words stand between the verb and what it is about.
+        let begin = self.verb_at.take().filter(|verb| *verb < tokens.start).unwrap_or(tokens.start);
+        self.changes.push(Said::by(self.text.bytes(begin..tokens.end), change));
     }
 
     /// A fault of some tokens.
@@ -178,12 +184,16 @@ impl<'a> Reader<'a> {
 
     fn verbs(&mut self) -> Step {
         let Some((tokens, verb)) = self.phrase(&lexicon().verbs, self.at) else { return Ok(None) };
-        if verb == Verb::Clear {
-            self.change(self.at..self.at + tokens, Change::Clear);
-            self.verb = Some(Verb::Add);
-        } else {
-            self.verb = Some(verb);
-        }
+        self.verb = Some(verb);
+        self.verb_at = Some(self.at);
+        Ok(Some(self.at + tokens))
+    }
+
+    /// `clear the scene`.
+    fn clears(&mut self) -> Step {
+        let Some((tokens, Verb::Clear)) = self.phrase(&lexicon().verbs, self.at) else { return Ok(None) };
+        self.change(self.at..self.at + tokens, Change::Clear);
+        self.verb = Some(Verb::Add);
         Ok(Some(self.at + tokens))
     }
 
@@ -192,8 +202,10 @@ impl<'a> Reader<'a> {
         if self.text.tokens.get(self.at).is_some_and(|token| matches!(token.kind, Kind::Mark(_))) {
             return Ok(Some(self.at + 1));
         }
-        let next = self.skip(self.at);
-        Ok((next > self.at).then_some(next))
+        let table = lexicon();
+        let alone = [&table.fillers, &table.images].into_iter().find_map(|words| self.phrase(words, self.at));
+        let tokens = alone.map(|(tokens, ())| tokens).or(self.phrase(&table.params, self.at).map(|(tokens, _)| tokens));
+        Ok(tokens.map(|tokens| self.at + tokens))
     }
 
     /// Runs of words that no rule takes.
@@ -208,6 +220,3 @@ impl<'a> Reader<'a> {
         runs.into_iter().map(|run| self.text.bytes(run)).collect()
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -6,8 +6,6 @@ use super::counts::{Counted, count_is_said};
 use super::words::{Relation, Verb, lexicon};
 use super::{Reader, Step};
 use crate::catalog::words::words;
-#[cfg(test)]
-use crate::draft::Known;
 use crate::draft::Problem;
 use crate::draft::edit::change::{Addition, Change, Named, NumberOf, Which};
 use crate::draft::edit::numbers::Move;
@@ -65,6 +63,7 @@ impl Reader<'_> {
                 // What is not there is asked back by the change itself.
                 self.stood(begin, &counted, thing)
             }
+            (Some(Verb::Put), _) if counted.is_definite => self.stood(begin, &counted, thing),
             _ if counted.count.is_some() || counted.is_more || self.verb == Some(Verb::Put) => {
                 self.added(begin, &counted, thing)
             }
@@ -178,9 +177,22 @@ impl Reader<'_> {
         end
     }
 
-    /// Whether a word is in no table of this reader.
+    /// Whether no phrase of this reader begins at a token.
     fn is_free(&self, at: usize) -> bool {
-        !lexicon().known.contains(self.text.form(at))
+        let table = lexicon();
+        let any = self.phrase(&table.verbs, at).is_some()
+            || self.phrase(&table.params, at).is_some()
+            || self.phrase(&table.degrees, at).is_some()
+            || self.phrase(&table.topics, at).is_some()
+            || self.phrase(&table.routes, at).is_some()
+            || self.phrase(&table.turns, at).is_some();
+        let words = [&table.turbidity, &table.sediments, &table.shapes, &table.structures];
+        let little = [&table.fillers, &table.by, &table.instead, &table.images, &table.to, &table.difference];
+        !(any
+            || words.into_iter().any(|words| self.phrase(words, at).is_some())
+            || little.into_iter().any(|words| self.phrase(words, at).is_some())
+            || self.phrase(&table.relations, at).is_some()
+            || self.phrase(&table.stands, at).is_some())
     }
 
     fn no_such(&self, tokens: std::ops::Range<usize>, near: &[String]) -> Problem {
@@ -263,11 +275,4 @@ impl Reader<'_> {
     pub(super) fn relation_at(&self, at: usize) -> Option<(usize, Relation)> {
         self.phrase(&lexicon().relations, at)
     }
-}
-
-/// Catalogs, for tests of other modules.
-#[cfg(test)]
-pub(super) fn starter() -> Known {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("recipes");
-    Known::open(&folder, &["starter".to_owned()]).expect("the starter catalog")
 }
