@@ -130,6 +130,14 @@ impl Concepts {
         &self.vocabulary
     }
 
+    /// Whether the last word of a name stands in the table as it is, without an ending of a plural, as a name of a label
+    /// that is no group: "Anker", not "anchors".
+    #[must_use]
+    pub fn is_singular_of(&self, name: &str, label: Concept) -> bool {
+        let last = super::words::raw(name).pop().unwrap_or_default();
+        !self.is_group(label) && self.meaning(&last).is_some_and(|meant| meant.contains(&label))
+    }
+
     /// What a phrase in common form means.
     fn meaning(&self, phrase: &str) -> Option<&[Concept]> {
         self.phrases.get(phrase).map(Vec::as_slice)
@@ -271,6 +279,26 @@ mod tests {
         }
         for concept in 0..table.names.len() as Concept {
             assert!(table.groups(concept).take(9).count() < 5, "{} goes round", table.name(concept));
+        }
+    }
+
+    #[test]
+    fn singulars_are_told_from_plurals() {
+        let table = concepts();
+        let is_one = |name: &str, label: &str| table.is_singular_of(name, table.number(label).expect("a label"));
+        for (name, label) in [
+            ("rusty anchor", "anchor"),
+            ("Anker", "anchor"),
+            ("épave", "shipwreck"),
+            ("barco", "boat"),
+            ("锚", "anchor"),
+        ] {
+            assert!(is_one(name, label), "{name}");
+        }
+        for (name, label) in
+            [("anchors", "anchor"), ("Flaschen", "bottle"), ("barcos", "boat"), ("junk", "debris"), ("tire", "anchor")]
+        {
+            assert!(!is_one(name, label), "{name}");
         }
     }
 

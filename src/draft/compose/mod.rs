@@ -6,6 +6,7 @@
 mod asked;
 mod depth;
 mod environment;
+mod extras;
 mod head;
 mod layout;
 mod looks;
@@ -72,8 +73,11 @@ pub fn composed(wish: &Wish, prompt: &Prompt, known: &Known, by: &str) -> Result
     environment::write(&mut page, &layout);
     objects::write(&mut page, &asked, &layout, &mut notes);
     path::write(&mut page, &asked, &layout, &mut notes);
+    extras::vehicle(&mut page, &asked);
+    extras::multipath(&mut page, &asked, &layout);
     looks::write(&mut page, &asked, &mut notes);
-    splits(&mut page, &asked, &layout);
+    splits(&mut page, &asked, &layout, &mut notes);
+    extras::output(&mut page, &asked);
     if !wish.looks.is_empty() {
         notes.push(format!("{} looks of each frame: as many pictures for each", wish.looks.len()));
     }
@@ -121,13 +125,22 @@ fn counts(page: &mut Page, asked: &Asked, layout: &Layout) {
     page.set(0, "frames", &Yaml::whole(budget.frames), "");
 }
 
-fn splits(page: &mut Page, asked: &Asked, layout: &Layout) {
-    let (shares, by, why) = match &asked.wish.splits {
+fn splits(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut Vec<String>) {
+    let (shares, mut by, why) = match &asked.wish.splits {
         Some(said) => (said.value.shares, said.value.by.clone(), asked.why(&said.source)),
         None if layout.budget.scenes >= LEAST_SCENES_TO_SPLIT => (SHARES, None, assumed("the usual shares")),
         None => ([1.0, 0.0, 0.0], None, assumed("too few scenes to deal out")),
     };
     page.blank();
+    // Each split needs a model of its own of every pick.
+    let wanted = shares.iter().filter(|share| **share > 0.0).count();
+    let few =
+        layout.placings.iter().find(|placing| placing.uids.len() < wanted).filter(|_| by.as_deref() == Some("asset"));
+    if let Some(few) = few {
+        let (label, models) = (&few.thing.label, few.uids.len());
+        notes.push(format!("split by scene, not by model: of {label} there are {models} models for {wanted} splits"));
+        by = None;
+    }
     let [train, val, test] = shares.map(Yaml::number);
     let by = Yaml::word(by.as_deref().unwrap_or("scene"));
     page.set(0, "splits", &Yaml::map([("train", train), ("val", val), ("test", test), ("by", by)]), &why);

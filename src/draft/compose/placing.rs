@@ -1,6 +1,7 @@
 //! How each thing stands: what was said of it, put into one of the recipe's kinds of pose.
 
 use super::asked::{Asked, assumed};
+use crate::catalog::concepts::concepts;
 use crate::draft::infer::room;
 use crate::draft::wish::{Amount, Count, Said, Side, Source, Stand, Thing};
 
@@ -90,8 +91,11 @@ impl Kind<'_> {
     }
 }
 
-/// Whether a thing is called by the singular of its English name.
+/// Whether a thing is called by the singular of a name of its own, in any language.
 fn is_one(thing: &Thing) -> bool {
+    if concepts().number(&thing.label).is_some_and(|label| concepts().is_singular_of(&thing.called.value, label)) {
+        return thing.label != "fish";
+    }
     let last = |text: &str| text.rsplit([' ', '-']).next().unwrap_or_default().to_lowercase();
     let name = last(&thing.label);
     !name.is_empty() && !name.ends_with('s') && name != "fish" && last(&thing.called.value) == name
@@ -218,6 +222,10 @@ impl<'a> Manner<'a> {
         for Said { value, source } in stands {
             manner.words.push(source);
             manner.hear(value);
+        }
+        // What fell and lies on its side lies there as is said, not as chance has it.
+        if manner.kind == Kind::Settle && manner.tip_deg.is_some() {
+            manner.kind = Kind::Rest;
         }
         manner
     }

@@ -1,6 +1,6 @@
 //! View, way and sonar that suit each other.
 
-use super::asked::{Asked, Figure};
+use super::asked::{Asked, Figure, assumed};
 use super::depth::{Depth, UNDER_SURFACE_M};
 use super::placing::{Place, Placing};
 use super::routes::Ground;
@@ -31,6 +31,8 @@ const NEAR: f64 = 0.04;
 /// A net pen's diameter and the distance of a vehicle from its net, metres.
 const PEN_M: f64 = 14.0;
 const FROM_NET_M: f64 = 5.0;
+/// Beams over the largest thing from where all are seen, at least.
+const LEAST_BEAMS: f64 = 3.0;
 /// Rounds in which sonar and view are made to suit each other.
 const ROUNDS: u32 = 3;
 
@@ -68,9 +70,23 @@ impl Case<'_> {
     /// View, way and sonar suit each other: the sonar is chosen for the view, and the view is of that sonar's beam.
     pub fn solve(&self) -> Result<Solved, Refusal> {
         let (form, why) = form(self.asked, self.structure, self.things());
+        let solved = self.in_form(form, &why)?;
+        let over = solved.device.beams_over(self.sizes.longest_m, solved.view.distance_m.ends()[0]);
+        if form == Form::Orbit
+            && self.asked.wish.path.route.is_none()
+            && self.sizes.longest_m > 0.0
+            && over < LEAST_BEAMS
+        {
+            return self
+                .in_form(Form::Views, &assumed("too small to be seen all at once: each frame looks at one of them"));
+        }
+        Ok(solved)
+    }
+
+    fn in_form(&self, form: Form, why: &str) -> Result<Solved, Refusal> {
         let said = self.said_device()?;
         let (mut device, mut device_why) = said.clone().unwrap_or_else(|| choose(&Need::default()));
-        let mut tried = self.with(&device, form, &why)?;
+        let mut tried = self.with(&device, form, why)?;
         if said.is_none() {
             for _ in 1..ROUNDS {
                 let better = choose(&self.need(&tried));
@@ -79,7 +95,7 @@ impl Case<'_> {
                 if is_the_same {
                     break;
                 }
-                tried = self.with(&device, form, &why)?;
+                tried = self.with(&device, form, why)?;
             }
         }
         let Try { view, going, far_m, azimuth_deg } = tried;
