@@ -156,14 +156,14 @@ fn without(item: &Item<'_>, which: &Which) -> Acts {
     Acts::one(Act::set(format!("{}.pick", item.path), map([("catalog", catalog), ("uid", value)]))).note(note)
 }
 
-/// Objects whose pose refers to what no other object is called: what they are called, where it is said, and to what.
-pub(super) fn orphans(subject: &Subject, known: &Known) -> Vec<[String; 3]> {
+/// Objects whose pose refers to what no other object is called: what they are called, and to what.
+pub(super) fn orphans(subject: &Subject, known: &Known) -> Vec<[String; 2]> {
     let items = items(subject, known);
     let alone =
         |item: &&Item<'_>, of: &str| !items.iter().any(|other| other.index != item.index && other.is_called(of));
     let orphan = |item: &Item<'_>| {
-        let (path, of) = pose::refers_to(item.node)?;
-        alone(&item, of).then(|| [item.names(), format!("{}.{path}", item.path), of.to_owned()])
+        let (_, of) = pose::refers_to(item.node)?;
+        alone(&item, of).then(|| [item.names(), of.to_owned()])
     };
     items.iter().filter_map(orphan).collect()
 }

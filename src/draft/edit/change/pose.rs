@@ -89,7 +89,10 @@ impl Posing<'_> {
         let own = there.map_or("rest", |(key, _)| key.text.as_str());
         let mut acts = Acts::default();
         acts.notes = posed.notes;
-        let kind = parts.kind.unwrap_or(own_kind(own));
+        let is_placed = parts.entries.iter().any(|(key, _)| matches!(*key, "centre_m" | "within_m"));
+        let own_has_place = matches!(own, "rest" | "settle" | "float" | "cluster" | "line");
+        let usual = if is_placed && !own_has_place { "rest" } else { own_kind(own) };
+        let kind = parts.kind.unwrap_or(usual);
         if kind == own {
             let path = |key: &str| format!("{}.pose.{}", item.path, crate::recipe::path::under(kind, key));
             acts.acts.extend(parts.entries.into_iter().map(|(key, value)| Act::set(path(key), value)));
