@@ -99,12 +99,18 @@ impl Drafter {
         }
     }
 
+    /// Who it is, as transcripts say.
+    #[must_use]
+    pub fn who(&self) -> Who {
+        match self {
+            Self::BuiltIn => Who::BuiltIn,
+            Self::Model(drafter) => drafter.who(),
+        }
+    }
+
     /// Who it is, as headings of recipes say.
     #[must_use]
     pub fn name(&self) -> String {
-        match self {
-            Self::BuiltIn => "built-in drafter".to_owned(),
-            Self::Model(drafter) => format!("language model {}", drafter.model()),
-        }
+        self.who().to_string()
     }
 }

@@ -91,9 +91,10 @@ impl Said {
         }
         let mut head = unit.map(|unit| unit.words.clone()).unwrap_or_default();
         let declined = forms.last().and_then(|word| {
-            let roots = ["ern", "em", "n"].iter().filter_map(|ending| word.strip_suffix(ending));
+            let roots = ["ern", "em", "en", "n", "e"].iter().filter_map(|ending| word.strip_suffix(ending));
             let meant = |root: &str| {
-                concepts().units(&[root.to_owned()]).iter().find_map(|unit| unit.concepts.first().copied())
+                let root = crate::catalog::words::stem(root);
+                concepts().units(std::slice::from_ref(&root)).iter().find_map(|unit| unit.concepts.first().copied())
             };
             roots.filter(|root| root.len() > 3).find_map(|root| Some((meant(root)?, root.to_owned())))
         });

@@ -63,7 +63,7 @@ fn water(wish: &Wish, problems: &mut Vec<Problem>) {
             problems.push(problem(depth, what, "say a depth of up to 11,000 m"));
         }
     }
-    let ranges: [(&Option<Said<Amount>>, [f64; 2], &str, &str); 3] = [
+    let ranges = [
         (&water.temperature_c, [-3.0, 60.0], "°C", "a temperature"),
         (&water.salinity_ppt, [0.0, 60.0], "ppt", "a salinity"),
         (&water.ph, [4.0, 11.0], "", "a pH"),

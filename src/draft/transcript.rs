@@ -3,6 +3,7 @@
 //! A file of JSON lines beside the recipe, one line a draft or change, only ever added to. A run never reads it. Keys are not
 //! in it, and neither are dates.
 
+use std::fmt;
 use std::fs::OpenOptions;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,6 +12,7 @@ use serde::Serialize;
 use sha2::{Digest as _, Sha256};
 
 use super::{Options, Prompt};
+use crate::recipe::printable;
 
 /// Longest text of an answer that is kept, letters.
 const LONGEST: usize = 20_000;
@@ -67,6 +69,15 @@ pub enum Who {
         /// Host and port of its server.
         host: String,
     },
+}
+
+impl fmt::Display for Who {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BuiltIn => out.write_str("built-in drafter"),
+            Self::Model { model, .. } => write!(out, "language model {}", printable(model)),
+        }
+    }
 }
 
 /// One answer of a model.

@@ -66,7 +66,7 @@ fn pipe_m(structure: &Structure, way: &Way, far_m: f64) -> f64 {
 fn entries(structure: &Structure, layout: &Layout) -> (Vec<(&'static str, Yaml)>, String) {
     let [length, width, height] = structure.said_m;
     let number = |key: &'static str, said: Option<f64>, usual: f64| (key, Yaml::number(said.unwrap_or(usual)));
-    let top = (layout.depth.least_m + FREEBOARD_M).max(2.0).min(50.0);
+    let top = (layout.depth.least_m + FREEBOARD_M).clamp(2.0, 50.0);
     let said = |why: &str| match structure.sides_why.as_str() {
         "" => assumed(why),
         sides => format!("{sides}; {}", assumed(why)),

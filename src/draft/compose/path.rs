@@ -57,7 +57,7 @@ pub(super) fn write(page: &mut Page, asked: &Asked, layout: &Layout, notes: &mut
             if layout.structure.is_some() {
                 page.set(4, "of", &Yaml::word("origin"), &assumed("the middle of the things, not of the walls"));
             }
-            page.set(4, "from_m", &Yaml::number(*from_m), &format!("{}; in plan", distance_why(asked, &layout.view)));
+            page.set(4, "from_m", &Yaml::number(*from_m), &format!("{}; in plan", layout.going.why));
             page.set(4, "to_m", &Yaml::number(*to_m), "");
             high(page, altitude);
             page.set(4, "course_deg", &Yaml::amount(course_deg), &heading_why(asked));

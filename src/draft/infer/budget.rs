@@ -83,7 +83,7 @@ fn near_divisor(images: u64, wanted: u64) -> u64 {
         let ratio = *divisor as f64 / wanted;
         ratio.max(1.0 / ratio)
     };
-    let divisors = (1..=root).filter(|low| images % low == 0).flat_map(|low| [low, images / low]);
+    let divisors = (1..=root).filter(|low| images.is_multiple_of(*low)).flat_map(|low| [low, images / low]);
     divisors.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(1)
 }
 

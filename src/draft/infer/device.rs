@@ -117,7 +117,7 @@ pub fn choose(need: &Need) -> (Device, String) {
     let fits = |(device, _): &(Device, &str)| reaches(device) && (need.smallest_m <= 0.0 || resolves(device));
     let over = |device: &Device| device.beams_over(need.smallest_m, need.distance_m.max(0.1));
     let finest = || all().filter(|(device, _)| reaches(device)).min_by(|a, b| over(&b.0).total_cmp(&over(&a.0)));
-    let found = all().find(fits).or_else(finest).or_else(|| all().last());
+    let found = all().find(fits).or_else(finest).or_else(|| all().next_back());
     let (device, why) = found.expect("the table names built-in devices");
     let over = device.beams_over(need.smallest_m, need.distance_m.max(0.1));
     let seen = match over {

@@ -66,21 +66,17 @@ pub(super) fn mended(mut messages: Vec<Message>, answer: &str, problems: &[Strin
     fitted(messages, most_tokens)
 }
 
-/// Labels of models that a prompt may mean, those that it names first.
+/// Labels of models that a prompt names, and of those that words which no table knows may mean.
 pub(super) fn candidates(prompt: &Prompt, known: &Known, evidence: &Evidence) -> Vec<String> {
-    let mut out: Vec<String> = evidence.labels().map(str::to_owned).collect();
-    let mut seen: BTreeSet<String> = out.iter().cloned().collect();
-    for (_, catalog) in &known.catalogs {
-        // A search that cannot be made offers nothing; the model has its own words.
-        for found in catalog.find(prompt.text(), MOST_CANDIDATES).unwrap_or_default() {
-            let label = catalog.asset(found.model).map(|asset| asset.label.clone()).unwrap_or_default();
-            if !label.is_empty() && seen.insert(label.clone()) {
-                out.push(label);
-            }
+    let mut out: BTreeSet<String> = evidence.labels().map(str::to_owned).collect();
+    for word in evidence.strange.iter().take(MOST_CANDIDATES) {
+        for (_, catalog) in &known.catalogs {
+            // A search that cannot be made offers nothing; the model has its own words.
+            let found = catalog.find(prompt.words(word), 2).unwrap_or_default();
+            out.extend(found.into_iter().filter_map(|found| Some(catalog.asset(found.model).ok()?.label)));
         }
     }
-    out.truncate(MOST_CANDIDATES);
-    out
+    out.into_iter().filter(|label| !label.is_empty()).take(MOST_CANDIDATES).collect()
 }
 
 fn user(request: &str, candidates: &[String]) -> String {

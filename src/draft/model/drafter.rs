@@ -67,6 +67,12 @@ pub enum NotUnderstood<E> {
     Unmade(E),
 }
 
+/// One answer: the form, or what is wrong with it, and its text.
+struct Answered {
+    answer: Result<Answer, Vec<String>>,
+    text: String,
+}
+
 /// The best of the rounds so far.
 struct Best<T, E> {
     settled: Settled,
@@ -87,12 +93,6 @@ impl ModelDrafter {
         Who::Model { model: settings.model.clone(), host: settings.server.host().to_owned() }
     }
 
-    /// Name of the model, on one line.
-    #[must_use]
-    pub fn model(&self) -> String {
-        short(&self.client.settings().model)
-    }
-
     /// The client, for other questions.
     pub fn client(&mut self) -> &mut Client {
         &mut self.client
@@ -108,11 +108,11 @@ impl ModelDrafter {
         rounds: &mut Vec<Round>,
         make: &mut dyn FnMut(&Wish) -> Result<T, E>,
     ) -> Result<Understood<T>, NotUnderstood<E>> {
-        if let Some(refusal) = asked.read.as_ref().err().filter(|refusal| is_definite(refusal)) {
-            return Err(NotUnderstood::Refused(refusal.clone()));
-        }
         if self.held == Held::ToTheFormAlone {
             return self.read_alone(asked, rounds, make);
+        }
+        if let Some(refusal) = asked.read.as_ref().err().filter(|refusal| is_definite(refusal)) {
+            return Err(NotUnderstood::Refused(refusal.clone()));
         }
         let read = asked.read.as_ref().ok();
         if let Some(wish) = read.filter(|wish| wish.unknown.is_empty()) {
@@ -133,7 +133,7 @@ impl ModelDrafter {
     ) -> Result<Understood<T>, NotUnderstood<E>> {
         let evidence = Evidence::of(asked.prompt, asked.known, None);
         let messages = self.first(asked, &evidence);
-        let (answer, text) = self.answer(&messages)?;
+        let Answered { answer, text } = self.answer(&messages)?;
         rounds.push(Round::new(&text, answer.as_ref().err().cloned().unwrap_or_default()));
         let answer = answer.map_err(|problems| NotUnderstood::Model(self.useless(1, &problems)))?;
         refused_by(&answer, asked)?;
@@ -148,10 +148,10 @@ impl ModelDrafter {
     }
 
     /// One answer and its text.
-    fn answer<E>(&mut self, messages: &[Message]) -> Result<(Result<Answer, Vec<String>>, String), NotUnderstood<E>> {
+    fn answer<E>(&mut self, messages: &[Message]) -> Result<Answered, NotUnderstood<E>> {
         let question = Question { messages, name: "request", shape: ask::shape() };
         let reply = self.client.ask(&question).map_err(NotUnderstood::Model)?;
-        Ok((parse(&reply, ask::shape()), reply.text))
+        Ok(Answered { answer: parse(&reply, ask::shape()), text: reply.text })
     }
 
     fn useless(&self, rounds: usize, problems: &[String]) -> ModelError {
@@ -218,7 +218,7 @@ impl Rounds<'_> {
         let mut messages = first.clone();
         let mut best = None;
         for _ in 0..MOST_ROUNDS {
-            let (answer, text) = self.drafter.answer(&messages)?;
+            let Answered { answer, text } = self.drafter.answer(&messages)?;
             let problems = match answer {
                 Err(problems) => problems,
                 Ok(answer) => {

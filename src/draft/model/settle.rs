@@ -160,7 +160,7 @@ impl Scales<'_> {
 
     fn seabed(&mut self, read: &Seabed, said: Seabed) -> Seabed {
         Seabed {
-            sediments: self.word("bottom", &read.sediments, said.sediments, meet),
+            sediments: self.word("bottom", &read.sediments, said.sediments, |one, other| meet(one, other)),
             shape: self.word("shape", &read.shape, said.shape, PartialEq::eq),
             ..read.clone()
         }
@@ -171,14 +171,14 @@ impl Scales<'_> {
             depth_m: self.amount("depth_m", Measure::Length, &read.depth_m, said.depth_m),
             temperature_c: self.amount("temperature_c", Measure::Temperature, &read.temperature_c, said.temperature_c),
             salinity_ppt: self.amount("salinity_ppt", Measure::Salinity, &read.salinity_ppt, said.salinity_ppt),
-            turbidity: self.word("water", &read.turbidity, said.turbidity, meet),
+            turbidity: self.word("water", &read.turbidity, said.turbidity, |one, other| meet(one, other)),
             ph: read.ph.clone(),
         }
     }
 
     fn sonar(&mut self, read: &Sonar, said: Sonar) -> Sonar {
         Sonar {
-            devices: self.word("sonar", &read.devices, said.devices, meet),
+            devices: self.word("sonar", &read.devices, said.devices, |one, other| meet(one, other)),
             frequency_khz: self.amount("frequency_khz", Measure::Frequency, &read.frequency_khz, said.frequency_khz),
             beams: self.number("beams", &read.beams, said.beams, |beams| (Measure::Number, whole(u64::from(*beams)))),
             fov_deg: self.amount("fov_deg", Measure::Angle, &read.fov_deg, said.fov_deg),
@@ -277,7 +277,7 @@ fn alike(one: &str, other: &str) -> bool {
 }
 
 /// Whether two lists of alternatives have something in common.
-fn meet(one: &Vec<String>, other: &Vec<String>) -> bool {
+fn meet(one: &[String], other: &[String]) -> bool {
     one.iter().any(|word| other.contains(word))
 }
 

@@ -114,6 +114,13 @@ fn noun_behind(reading: &Reading<'_>, from: usize, wanted: Word) -> Option<Range
     if sheet && reading.text.tokens.get(at + 1).is_none_or(|next| !next.is_ideograph()) {
         return Some(at..at + 1);
     }
+    // `50张轮胎图像`.
+    if matches!(reading.text.form(at), "张" | "幅") && wanted == Word::Images {
+        let behind = at + 1 + reading.thing_at(at + 1).unwrap_or(0);
+        if behind > at + 1 && reading.word(behind, wanted).is_some() {
+            return Some(at..at + 1);
+        }
+    }
     while at < (from + 4).min(reading.len()) && reading.is_free(at) {
         if let Some(tokens) = reading.word(at, wanted) {
             // `a frame dataset`, `an image set`, `images`: an article counts one image only.

@@ -52,7 +52,9 @@ pub(super) fn cue_of(reading: &Reading<'_>, quantity: &Quantity) -> Option<Told>
         }
         // `lines 5 m apart`: both words are of the same amount.
         (Some(before), Some(behind)) if is_same_kind(before.cue, behind.cue) => {
-            Some(Told { tokens: before.tokens.start..behind.tokens.end, ..before })
+            // `pitch 5 degrees up`.
+            let cue = if behind.cue == Cue::TiltUp { Cue::TiltUp } else { before.cue };
+            Some(Told { cue, tokens: before.tokens.start..behind.tokens.end, ..before })
         }
         (Some(before), _) => Some(before),
         (None, behind) => behind,
@@ -81,12 +83,12 @@ fn fits(cue: Cue, quantity: &Quantity, is_before: bool) -> bool {
         | Cue::MostRange
         | Cue::LeastRange
         | Cue::RangeWindow
-        | Cue::Spacing
         | Cue::SonarDepth => measure == Measure::Length || number,
         Cue::BelowSurface
         | Cue::Visibility
         | Cue::AboveSurface
         | Cue::Apart
+        | Cue::Spacing
         | Cue::Size
         | Cue::Wavelength
         | Cue::Relief
@@ -239,7 +241,9 @@ pub(super) fn subject_before(reading: &Reading<'_>, start: usize) -> (Subject, b
         }
         if ends_with(&[Word::Floating, Word::Moored]) {
             let by_vehicle = (at.saturating_sub(3)..at).any(|before| reading.word(before, Word::Vehicle).is_some());
-            return (if by_vehicle { Subject::Vehicle } else { Subject::Afloat }, comma);
+            // `hover 3 m above the bottom`: nothing else is spoken of.
+            let alone = !(0..at).any(|before| reading.any_thing_at(before).is_some());
+            return (if by_vehicle || alone { Subject::Vehicle } else { Subject::Afloat }, comma);
         }
         if let Some(tokens) = thing_over(reading, at) {
             return (if floats(reading, tokens) { Subject::Afloat } else { Subject::Thing }, comma);

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::cue::{Subject, cue_of, floats, subject_before};
+use super::cue::{Subject, cue_of, subject_before};
+use super::height::above_or_below;
 use super::quantity::{Measure, Quantity};
 use super::reading::Reading;
 use super::vocabulary::{Bound, Cue, Word, vocabulary};
-use crate::draft::Problem;
 use crate::draft::wish::{Amount, Route, Said};
 
 /// Something about where a thing is, waiting for the thing.
@@ -144,12 +144,19 @@ fn uncued(reading: &Reading<'_>, quantity: &Quantity) -> Option<Cue> {
             // `from two to six metres`.
             if matches!(first, "from" | "von" | "de" | "desde" | "从")
                 && quantity.amount.ends()[0] < quantity.amount.ends()[1]
+                && !reading.text.is_mark(start.wrapping_sub(1), ',')
             {
                 return Some(Cue::ObjectRange);
             }
             Some(if is_of_next_thing(reading, quantity) { Cue::Size } else { Cue::Depth })
         }
-        Measure::Number | Measure::Share | Measure::Time => None,
+        Measure::Share => {
+            let buried = (0..reading.len())
+                .any(|at| matches!(reading.text.form(at), "bury" | "buried" | "sink" | "sunk" | "sunken"));
+            (buried && !reading.text.tokens[start].is_mark('%') && quantity.amount.ends()[1] > 0.0)
+                .then_some(Cue::Burial)
+        }
+        Measure::Number | Measure::Time => None,
     }
 }
 
@@ -172,7 +179,7 @@ fn is_of_next_thing(reading: &Reading<'_>, quantity: &Quantity) -> bool {
 }
 
 /// Lower ends that make no sense at 0 are a tenth of the upper.
-fn open(quantity: &Quantity) -> Amount {
+pub(super) fn open(quantity: &Quantity) -> Amount {
     match (&quantity.amount, quantity.bound) {
         (Amount::Between(_, high), Some(Bound::AtMost)) if quantity.amount.ends()[0] == 0.0 => {
             Amount::Between(high / 4.0, *high)
@@ -202,8 +209,14 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
         Cue::BelowSurface | Cue::Altitude | Cue::AboveSurface => {
             return above_or_below(reading, quantity, cue, tokens);
         }
-        Cue::ObjectRange if reading.find(Word::Approach).is_some() && high > low => {
+        Cue::ObjectRange if (reading.find(Word::Approach).is_some() || quantity.falls) && high > low => {
             let route = Route::Approach { from_m: Some(high), to_m: Some(low) };
+            reading.wish.path.route = Some(reading.said(tokens.clone(), route));
+        }
+        Cue::ObjectRange if reading.find(Word::Approach).is_some() && reading.wish.path.range_m.is_some() => {
+            // `from 10 m, stop at 2 m`.
+            let from = reading.wish.path.range_m.take().map_or(high, |said| said.value.ends()[1]);
+            let route = Route::Approach { from_m: Some(from.max(high)), to_m: Some(from.min(high)) };
             reading.wish.path.route = Some(reading.said(tokens.clone(), route));
         }
         Cue::ObjectRange => put(&mut reading.wish.path.range_m),
@@ -266,55 +279,6 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
         | Cue::Burial => {}
     }
     reading.take(tokens);
-}
-
-/// Heights over the bottom and depths below the surface are of a thing or of the vehicle.
-fn above_or_below(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range<usize>) {
-    let (subject, comma) = subject_before(reading, tokens.start);
-    // `a diver beside the wreck, 3 m above the bottom`: the diver is, unless somebody looks from there.
-    let looks = [Word::ViewFrom, Word::Vehicle].iter().any(|word| reading.find(*word).is_some());
-    let elsewhere = subject == Subject::Thing && cue == Cue::Altitude && !looks && afloat_before(reading, tokens.start);
-    let subject = if elsewhere { Subject::Afloat } else { subject };
-    let of_thing = match subject {
-        Subject::Afloat => !(comma && cue == Cue::Altitude && is_view(reading, &tokens)),
-        // Things on the bottom are not afloat: whose height is told is the sonar.
-        Subject::Thing => cue != Cue::Altitude,
-        Subject::Vehicle | Subject::View | Subject::Lines | Subject::Nothing => false,
-    };
-    if cue == Cue::AboveSurface {
-        let what = format!("{}: sonar sees nothing above the surface", reading.text.words(tokens.clone()));
-        let help = "say how far it is above the bottom or below the surface, such as \"3 m above the bottom\"";
-        reading.problems.push(Problem::of(reading.text.bytes(tokens.clone()), what, help));
-    } else if of_thing {
-        reading.pending.push(StandCue { tokens: tokens.clone(), cue, amount: open(quantity) });
-    } else {
-        let said = reading.said(tokens.clone(), open(quantity));
-        let path = &mut reading.wish.path;
-        let slot = if cue == Cue::Altitude { &mut path.altitude_m } else { &mut path.vehicle_depth_m };
-        if slot.is_none() {
-            *slot = Some(said);
-        }
-    }
-    reading.take(tokens);
-}
-
-/// Whether something before an amount in its sentence is in the water.
-fn afloat_before(reading: &Reading<'_>, start: usize) -> bool {
-    let begin = (0..start)
-        .rev()
-        .find(|&at| reading.text.is_mark(at, '.') || reading.text.is_mark(at, ';'))
-        .map_or(0, |at| at + 1);
-    (begin.max(start.saturating_sub(40))..start)
-        .any(|at| reading.any_thing_at(at).is_some_and(|count| floats(reading, at..at + count)))
-}
-
-/// Whether words just before an altitude are of a view or a path: `viewed from 5 m above`.
-fn is_view(reading: &Reading<'_>, tokens: &Range<usize>) -> bool {
-    let begin = tokens.start.saturating_sub(4);
-    (begin..tokens.end).any(|at| {
-        [Word::ViewFrom, Word::Vehicle, Word::Lawnmower].iter().any(|word| reading.word(at, *word).is_some())
-            || matches!(reading.text.form(at), "altitude" | "altitud" | "高度")
-    })
 }
 
 /// An open range that is one value all the same: the end that was said.

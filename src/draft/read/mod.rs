@@ -9,8 +9,11 @@
 
 mod counts;
 mod cue;
+mod determiner;
 mod device;
+mod height;
 mod looks;
+pub(in crate::draft) mod meaning;
 mod measures;
 mod noun;
 pub(in crate::draft) mod number;
@@ -32,7 +35,10 @@ mod tests;
 mod tests_more;
 pub(in crate::draft) mod text;
 mod things;
+mod things_many;
+mod things_told;
 pub(in crate::draft) mod token;
+pub(in crate::draft) mod unit;
 pub(in crate::draft) mod vocabulary;
 
 use reading::Reading;

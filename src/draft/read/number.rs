@@ -47,7 +47,8 @@ pub(in crate::draft) fn number_at(text: &Text<'_>, at: usize) -> Option<Spoken> 
             and = 0;
         }
     }
-    (taken > 0).then(|| Spoken { value: sum.total + sum.current, tokens: taken, is_share: false })
+    let value = sum.total + sum.current;
+    (taken > 0).then_some(Spoken { value, tokens: taken, is_share: false })
 }
 
 /// Tokens of a minus sign before a number; none behind another number, where it makes a range.
@@ -222,7 +223,7 @@ fn compound(word: &str) -> Option<f64> {
     }
     let (ones, tens) = word.split_once("und")?;
     let (ones, tens) = (compound(ones)?, compound(tens)?);
-    (ones < 10.0 && tens >= 20.0 && tens < 100.0).then_some(ones + tens)
+    (ones < 10.0 && (20.0..100.0).contains(&tens)).then_some(ones + tens)
 }
 
 #[cfg(test)]

@@ -240,10 +240,10 @@ fn heading(reading: &mut Reading<'_>) {
         (Word::West, 180.0),
         (Word::South, 270.0),
     ];
-    const BEFORE: [&str; 26] = [
+    const BEFORE: [&str; 25] = [
         "facing", "heading", "north", "due", "towards", "toward", "going", "pointing", "look", "looking", "to",
         "course", "pointed", "nach", "richtung", "hacia", "al", "vers", "朝", "向", "point", "moving", "flying",
-        "driving", "the", "rumbo",
+        "driving", "rumbo",
     ];
     for (word, degrees) in POINTS {
         for tokens in reading.find_all(word) {

@@ -119,7 +119,12 @@ fn root(form: &str, language: Language) -> Option<&str> {
         Language::French => &["es", "e", "s"],
         Language::English | Language::Chinese => return None,
     };
+    let once = |root: &str| endings.iter().find_map(|ending| root.strip_suffix(ending)).map(str::len);
     let mut root = form;
+    if language != Language::German {
+        let length = once(root).unwrap_or(root.len());
+        return (length >= 4).then(|| &root[..length]);
+    }
     // `vergraben` and `vergrabenen` come to one root.
     while let Some(shorter) = endings.iter().find_map(|ending| root.strip_suffix(ending)).filter(|root| root.len() >= 4)
     {

@@ -10,7 +10,7 @@ use super::phrases::Phrases;
 use super::place::{Place, place_at};
 use super::quantity::{Measure, Quantity, quantity_at, sides_at};
 use super::text::Text;
-use super::token::Kind;
+use super::token::{Kind, Language};
 use super::vocabulary::{Word, vocabulary};
 use crate::catalog::concepts::concepts;
 use crate::draft::find::{Found, is_known_thing, models};
@@ -227,7 +227,8 @@ impl<'a> Reading<'a> {
         if !unit.concepts.is_empty() {
             return Some(places[unit.words.len() - 1] + 1 - at);
         }
-        let is_compound = forms[0].len() >= 7
+        let long = if self.text.language == Language::English { 7 } else { 5 };
+        let is_compound = forms[0].len() >= long
             && vocabulary().words.at(&self.text, at).is_none()
             && !vocabulary().plain.contains(&forms[0])
             && is_known_thing(&forms[0]);

@@ -73,7 +73,8 @@ fn row_of_numbers(reading: &Reading<'_>) -> Option<(Vec<Range<usize>>, [f64; 3])
         let slashes = (at..next).any(|at| text.is_mark(at, '/'));
         if numbers.len() == 3 && spoken && slashes && (sum - 100.0).abs() > 1.5 && (sum - 1.0).abs() > 0.015 {
             // What is wrong with them is told of the wish.
-            return Some((vec![at..next], [numbers[0] / 100.0, numbers[1] / 100.0, numbers[2] / 100.0]));
+            let words = at..next;
+            return Some((vec![words], [numbers[0] / 100.0, numbers[1] / 100.0, numbers[2] / 100.0]));
         }
         let whole = if (sum - 100.0).abs() < 1.5 { 100.0 } else { 1.0 };
         let is_spoken_of = [Word::Split, Word::Train, Word::Validation, Word::Test]
@@ -92,7 +93,8 @@ fn row_of_numbers(reading: &Reading<'_>) -> Option<(Vec<Range<usize>>, [f64; 3])
             2 if only_test => [share(0), 0.0, share(1)],
             _ => [share(0), share(1), share(2)],
         };
-        return Some((vec![at..next], shares));
+        let words = at..next;
+        return Some((vec![words], shares));
     }
     None
 }

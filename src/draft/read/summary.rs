@@ -29,7 +29,7 @@ const MODELS: [(&str, &str, &str); 34] = [
     ("moored-mine", "moored-mine", "contact mine;ordnance"),
     ("mooring-buoy", "buoy", "float"),
     ("oil-drum", "oil-drum", "barrel;debris"),
-    ("oyster", "sea-shell", "shell"),
+    ("oyster", "oyster", "shell"),
     ("pipe", "pipe", "steel pipe"),
     ("rock-1", "rock", "stone;small"),
     ("rock-3", "rock", "stone;large"),

@@ -24,7 +24,7 @@ fn the_examples() {
         ("Add two more barrels to the left of the wreck", "refused: \"Add two more\" changes a recipe that is there, and a draft begins a new one"),
         ("Move the AUV to x=2, y=-1, z=-6 and point it north", "refused: \"Move the\" changes a recipe that is there, and a draft begins a new one"),
         ("Turn the vehicle 45 degrees to the right and pitch it down ten degrees", "refused: \"Turn the\" changes a recipe that is there, and a draft begins a new one"),
-        ("Clear the scene and scatter fifty oysters between (0,0) and (10,10)", "50 sea-shell (within 0 0 10 10)"),
+        ("Clear the scene and scatter fifty oysters between (0,0) and (10,10)", "50 oyster (within 0 0 10 10)"),
         ("Make the bottom muddier and the water darker", "refused: \"Make the\" changes a recipe that is there, and a draft begins a new one"),
         ("Look for a lost glider near the canyon and image it from three sides", "1 auv; trench; Orbit { arc_deg: -, sides: (3) }"),
         ("Survey a 20 by 20 m box with a lawnmower pattern, 2 m line spacing, at 3 m altitude over the coral reef", "reef; Lawnmower { length_m: (20.0), width_m: (20.0), spacing_m: (2.0), lines: - }; 3 m altitude"),
