@@ -4,6 +4,7 @@
 //! overridden in the recipe itself. What is ambiguous is asked back, never guessed.
 
 mod bottom;
+mod item;
 mod objects;
 mod param;
 mod pose;
