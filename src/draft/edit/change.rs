@@ -4,6 +4,7 @@
 //! overridden in the recipe itself. What is ambiguous is asked back, never guessed.
 
 mod bottom;
+mod item;
 mod objects;
 mod param;
 mod pose;
@@ -228,11 +229,11 @@ pub fn revise(subject: &Subject, known: &Known, changes: &[Said<Change>]) -> Res
         revision.done.push(Said { value: acts, source: change.source.clone() });
     }
     let before = objects::orphans(subject, known);
-    let is_new = |[_, _, of]: &&[String; 3]| !before.iter().any(|[_, _, known]| known == of);
+    let is_new = |[_, of]: &&[String; 2]| !before.iter().any(|[_, known]| known == of);
     match objects::orphans(&revision.subject, known).iter().find(is_new) {
-        Some([what, path, of]) => {
-            let help = format!("remove the {what} too, or say where they are to stand");
-            Err(Problem::whole(format!("{what} would stand by a {of} that is not there (`{path}`)"), help))
+        Some([what, of]) => {
+            let help = format!("remove the {what} too, or say first where they are to stand");
+            Err(Problem::whole(format!("{what} would stand by a {of} that is not there"), help))
         }
         None => Ok(revision),
     }

@@ -1,6 +1,6 @@
 //! Poses of objects, as somebody says how and where they stand.
 
-use super::objects::Item;
+use super::item::Item;
 use super::{Acts, Named};
 use crate::draft::Problem;
 use crate::draft::edit::act::{Act, list, map, number, word};
@@ -87,9 +87,11 @@ impl Posing<'_> {
         let parts = self.parts(stands, &mut posed)?;
         let there = item.node.get("pose").and_then(|pose| pose.entries().first());
         let own = there.map_or("rest", |(key, _)| key.text.as_str());
-        let mut acts = Acts::default();
-        acts.notes = posed.notes;
-        let kind = parts.kind.unwrap_or(own_kind(own));
+        let mut acts = Acts { notes: posed.notes, ..Acts::default() };
+        let is_placed = parts.entries.iter().any(|(key, _)| matches!(*key, "centre_m" | "within_m"));
+        let own_has_place = matches!(own, "rest" | "settle" | "float" | "cluster" | "line");
+        let usual = if is_placed && !own_has_place { "rest" } else { own_kind(own) };
+        let kind = parts.kind.unwrap_or(usual);
         if kind == own {
             let path = |key: &str| format!("{}.pose.{}", item.path, crate::recipe::path::under(kind, key));
             acts.acts.extend(parts.entries.into_iter().map(|(key, value)| Act::set(path(key), value)));
@@ -181,7 +183,7 @@ impl Posing<'_> {
                 }
             }
             Stand::FromVehicle { side, distance_m } => {
-                let [x, y] = self.from_vehicle(*side, distance_m.as_ref().map_or(3.0, |distance| middle(distance)))?;
+                let [x, y] = self.seen_from_vehicle(*side, distance_m.as_ref().map_or(3.0, middle))?;
                 self.at(parts, [number(x), number(y)]);
             }
             Stand::At([x, y], None) => self.at(parts, [number(rounded(*x)), number(rounded(*y))]),
@@ -231,7 +233,7 @@ impl Posing<'_> {
     }
 
     /// A place seen from a vehicle that stays where it is.
-    fn from_vehicle(&self, side: Side, distance: f64) -> Result<[f64; 2], Problem> {
+    fn seen_from_vehicle(&self, side: Side, distance: f64) -> Result<[f64; 2], Problem> {
         let help = "place it near another object or at a place: `at x=3, y=-1`";
         let kinds = self.subject.kinds("trajectory");
         let [(path, kind)] = &kinds[..] else {

@@ -96,7 +96,7 @@ impl Reader<'_> {
 
     fn images(&mut self, tokens: std::ops::Range<usize>, found: &Quantity) -> Option<usize> {
         let Amount::Exactly(count) = found.amount else { return None };
-        if found.measure != Measure::Number || count < 1.0 || count > 1e9 {
+        if found.measure != Measure::Number || !(1.0..=1e9).contains(&count) {
             return None;
         }
         let end = tokens.end;

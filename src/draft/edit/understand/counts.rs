@@ -45,7 +45,9 @@ impl Reader<'_> {
                 counted.count =
                     Some(upper.map_or(Count::Exactly(low), |(_, high)| Count::Between(low.min(high), low.max(high))));
                 counted.end = at + number.tokens + upper.map_or(0, |(tokens, _)| tokens);
-            } else if let Some((tokens, vague)) = self.vague(at).filter(|_| counted.count.is_none()) {
+            } else if let Some((tokens, vague)) =
+                self.vague(at).filter(|_| counted.count.is_none() && !counted.is_definite)
+            {
                 counted.count = Some(vague);
                 counted.end = at + tokens;
             } else if let Some((tokens, Manner::Heap)) = self.phrase(&lexicon().stands, at) {
@@ -66,6 +68,9 @@ impl Reader<'_> {
                 if !counted.is_more && form != "noch" {
                     return counted;
                 }
+                counted.end = at + 1;
+            } else if counted.is_definite && matches!(form, "number" | "anzahl" | "numero" | "nombre") {
+                // `the number of rocks`.
                 counted.end = at + 1;
             } else if matches!(form, "a" | "an") && counted.count.is_none() {
                 counted.count = Some(Count::Exactly(1));
