@@ -196,6 +196,13 @@ fn sonar(wish: &Wish, problems: &mut Vec<Problem>) {
         let what = format!("a range from {near} m to {far} m runs backwards");
         problems.push(problem(most, what, "say the nearest range first, such as \"range 1 to 10 m\""));
     }
+    if let Some(none) = sonar.beams.as_ref().filter(|beams| beams.value == 0) {
+        problems.push(problem(
+            none,
+            "a sonar of 0 beams sees nothing".to_owned(),
+            "say how many, such as \"512 beams\"",
+        ));
+    }
     if let Some(fov) = &sonar.fov_deg {
         let [low, high] = fov.value.ends();
         if low <= 0.0 || high > 180.0 {

@@ -102,7 +102,7 @@ impl<'a> Sheet<'a> {
     fn objects(&mut self, case: &Case) {
         for (word, expected) in &case.objects {
             let counts = self.counts(word);
-            let known = self.drafted.map(|drafted| labels(drafted));
+            let known = self.drafted.map(labels);
             let found = format!("{} of {}", short(&counts), known.unwrap_or_default());
             self.mark(&format!("objects.{word}"), expected.counts(&counts), expected, found);
         }

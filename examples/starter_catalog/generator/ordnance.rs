@@ -12,16 +12,22 @@ use super::solid::{Axis, Solid, turn};
 use super::vessels::screw;
 
 pub fn all() -> Vec<Object> {
-    vec![moored_mine(), bottom_mine(), cylinder_mine(), aerial_bomb(), artillery_shell(), torpedo(), cannon()]
+    vec![
+        moored_mine(),
+        contact_mine(),
+        bottom_mine(),
+        cylinder_mine(),
+        aerial_bomb(),
+        artillery_shell(),
+        torpedo(),
+        cannon(),
+    ]
 }
 
 /// A moored contact mine: a 1 m sphere with Hertz horns on a chain over its sinker, 3.1 m in all.
 fn moored_mine() -> Object {
     let centre = DVec3::new(0.0, 0.0, 2.45);
-    let meridian: Vec<Point> = arc([0.0, 0.0], 0.5, [-90.0, 90.0], 22);
-    let belt = lathe_ring(&[[0.485, -0.03], [0.515, -0.03], [0.515, 0.03], [0.485, 0.03]], 56);
-    let foot = lathe(&[[0.0, -0.55], [0.05, -0.55], [0.08, -0.53], [0.13, -0.47], [0.13, -0.40], [0.0, -0.40]], 24);
-    let shell = [lathe(&meridian, 44), belt, foot].map(|solid| solid.mapped(|p| p + centre));
+    let shell = mine_shell(centre);
     let links = (0..16).map(|i| {
         let link = link([0.128, 0.076], 0.020, [3, 6]).turned(Axis::Y, 90.0);
         link.turned(Axis::Z, f64::from(i % 2) * 90.0).at(0.0, 0.0, 1.90 - 0.088 * f64::from(i))
@@ -38,6 +44,29 @@ fn moored_mine() -> Object {
             Part::new("sinker", Material::Steel, sinker()),
         ],
     }
+}
+
+/// The same without chain and sinker: for moorings of any length, and for mines adrift.
+fn contact_mine() -> Object {
+    let centre = DVec3::new(0.0, 0.0, 0.55);
+    Object {
+        uid: "contact-mine",
+        name: "contact mine without its mooring",
+        label: "moored-mine",
+        tags: "ordnance;contact mine;drifting mine;naval mine;mine;sea mine",
+        parts: vec![
+            Part::new("mine", Material::Steel, mine_shell(centre)),
+            Part::new("horns", Material::Steel, horns(centre)),
+        ],
+    }
+}
+
+/// A sphere of 1 m with a belt and the foot that its chain hangs on.
+fn mine_shell(centre: DVec3) -> [Solid; 3] {
+    let meridian: Vec<Point> = arc([0.0, 0.0], 0.5, [-90.0, 90.0], 22);
+    let belt = lathe_ring(&[[0.485, -0.03], [0.515, -0.03], [0.515, 0.03], [0.485, 0.03]], 56);
+    let foot = lathe(&[[0.0, -0.55], [0.05, -0.55], [0.08, -0.53], [0.13, -0.47], [0.13, -0.40], [0.0, -0.40]], 24);
+    [lathe(&meridian, 44), belt, foot].map(|solid| solid.mapped(|p| p + centre))
 }
 
 /// Hertz horns in rings about the mine's shell.

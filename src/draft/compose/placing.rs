@@ -115,7 +115,16 @@ pub(super) enum Place<'a> {
 impl<'a> Placing<'a> {
     pub fn of(thing: &'a Thing, asked: &Asked, notes: &mut Vec<String>) -> Self {
         let mut manner = Manner::of(&thing.stands);
-        let sizes = sizes(thing, asked);
+        let mut sizes = sizes(thing, asked);
+        if let Kind::Float { over_m, under_m, .. } = manner.kind {
+            // What hangs at a given height hangs on a line as long as that; at any height, on the model's own chain.
+            let on_a_chain = over_m.or(under_m).is_none();
+            if sizes.iter().any(|(uid, _)| (uid == HAS_A_CHAIN) == on_a_chain)
+                && sizes.iter().any(|(uid, _)| uid == HAS_A_CHAIN)
+            {
+                sizes.retain(|(uid, _)| (uid == HAS_A_CHAIN) == on_a_chain);
+            }
+        }
         let (uids, bulk) = of_size(thing, sizes, notes);
         if let Kind::Float { over_m, under_m, .. } = manner.kind
             && uids.iter().all(|uid| uid == HAS_A_CHAIN)

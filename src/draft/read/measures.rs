@@ -238,7 +238,7 @@ fn apply(reading: &mut Reading<'_>, quantity: &Quantity, cue: Cue, tokens: Range
         Cue::Ph => put(&mut reading.wish.water.ph),
         Cue::Frequency => put(&mut reading.wish.sonar.frequency_khz),
         Cue::Beams => {
-            if (1.0..1e6).contains(&high) {
+            if (0.0..1e6).contains(&high) {
                 reading.wish.sonar.beams = Some(reading.said(tokens.clone(), high as u32));
             }
         }

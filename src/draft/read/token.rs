@@ -6,6 +6,9 @@ use std::ops::Range;
 
 use crate::catalog::words::{is_ideograph, raw, stem};
 
+/// Greatest number: more of anything is as many as this, and refused.
+const MOST: f64 = 9e14;
+
 /// A language that prompts are written in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::draft) enum Language {
@@ -252,7 +255,7 @@ impl Cut<'_> {
 
     fn push_number(&mut self, begin: usize, value: f64, mut run: String) {
         let after_word = begin > 0 && self.is(begin - 1, is_letter);
-        let mut value = if value.is_finite() { value } else { 1e300 };
+        let mut value = value.min(MOST);
         // `10 000`.
         while !after_word && run.len() <= 12 && run.chars().all(|c| c.is_ascii_digit()) && value >= 1.0 {
             let group: String = (1..=3).filter_map(|more| self.letter(self.at + more)).collect();
@@ -281,7 +284,7 @@ impl Cut<'_> {
                 continue;
             }
             let run: String = (from..at).filter_map(|at| self.letter(at)).collect();
-            let value = run.parse().ok().filter(|value: &f64| value.is_finite()).unwrap_or(1e300);
+            let value = run.parse().unwrap_or(MOST).min(MOST);
             self.push(from, at, Kind::Number(value), run);
             if let Some(mark) = self.letter(at).filter(|_| at < end) {
                 self.push(at, at + 1, Kind::Mark(mark), mark.into());
