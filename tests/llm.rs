@@ -218,6 +218,33 @@ fn what_cannot_be_is_refused_before_the_model_is_asked() {
     assert!(server.asked().is_empty());
 }
 
+#[test]
+fn a_model_alone_is_bounded_too() {
+    for (images, code) in [(0, 2), (1_000_000, 2), (50, 0)] {
+        let server = FakeLlm::says(
+            &json!({"images": images, "objects": [{"name": "tire", "count": 2}], "bottom": "mud", "depth_m": 9})
+                .to_string(),
+        );
+        let starter = concat!(env!("CARGO_MANIFEST_DIR"), "/catalogs/starter");
+        let desk = Desk::new();
+        let url = server.url();
+        let output = desk.run(&[
+            "draft",
+            "whatever",
+            "--quick",
+            "-c",
+            starter,
+            "--llm",
+            &url,
+            "--model",
+            "small",
+            "--model-alone",
+        ]);
+        assert_eq!(output.status.code(), Some(code), "{images}: {}", messages(&output));
+        assert_eq!(messages(&output).contains("help: "), code == 2, "{}", messages(&output));
+    }
+}
+
 /// All texts of a YAML value, keys included.
 fn texts(value: &Value, out: &mut Vec<String>) {
     match value {

@@ -13,11 +13,14 @@ use super::settle::{Reader, Settled, settle};
 use super::to_wish::to_wish;
 use super::translate::translated;
 use super::{Fault, ModelError};
+use crate::draft::sense::sense;
 use crate::draft::transcript::{Round, Who};
 use crate::draft::{Known, Problem, Prompt, Refusal, Wish};
 
 /// Most answers that are asked for.
 const MOST_ROUNDS: usize = 3;
+/// Most images of a draft, as the built-in reader has it.
+const MOST_IMAGES: u64 = 100_000;
 
 /// What a model's reading is held against.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -138,6 +141,7 @@ impl ModelDrafter {
         let answer = answer.map_err(|problems| NotUnderstood::Model(self.useless(1, &problems)))?;
         refused_by(&answer, asked)?;
         let wish = to_wish(&answer, asked.known);
+        sense(&wish).map_err(NotUnderstood::Refused)?;
         let made = make(&wish).map_err(NotUnderstood::Unmade)?;
         Ok(Understood { wish, made })
     }
@@ -261,18 +265,17 @@ impl Rounds<'_> {
             found.into_iter().for_each(|(label, words)| self.evidence.learn(label, words));
         }
         let settled = settle(prompt, &self.read, said, &self.evidence, self.reader());
-        if self.reader() == Reader::Lost && says_nothing(&settled.wish) {
-            return Err(NotUnderstood::Refused(self.lost(None)));
+        if self.reader() == Reader::Lost {
+            if says_nothing(&settled.wish) {
+                return Err(NotUnderstood::Refused(lost(self.asked, None)));
+            }
+            sense(&settled.wish).map_err(NotUnderstood::Refused)?;
         }
         Ok(settled)
     }
-
-    /// The built-in reader's refusal, with what the model says.
-    fn lost(&self, said: Option<&str>) -> Refusal {
-        lost(self.asked, said)
-    }
 }
 
+/// The built-in reader's refusal, with what the model says.
 fn lost(asked: Asked<'_>, said: Option<&str>) -> Refusal {
     let mut refusal = asked.read.as_ref().err().cloned().unwrap_or_else(|| Refusal { problems: Vec::new() });
     if let Some(said) = said.map(short).filter(|said| !said.is_empty()) {
@@ -282,12 +285,19 @@ fn lost(asked: Asked<'_>, said: Option<&str>) -> Refusal {
     refusal
 }
 
-/// A model that says that there is nothing to draft, or no images at all.
+/// A model that says that there is nothing to draft, no images at all or too many: a plan of a thousand million frames fills any
+/// memory.
 fn refused_by<E>(answer: &Answer, asked: Asked<'_>) -> Result<(), NotUnderstood<E>> {
-    if answer.images == Some(0) {
-        let problem =
-            Problem::whole("zero images: a dataset has at least one", "write how many images there should be");
-        return Err(NotUnderstood::Refused(problem.into()));
+    let what = match answer.images {
+        Some(0) => Some("zero images: a dataset has at least one".to_owned()),
+        Some(images) if images > MOST_IMAGES => Some(format!("{images} images are more than are drafted at once")),
+        _ => None,
+    };
+    if let Some(what) = what {
+        let help = format!(
+            "ask for 1 to {MOST_IMAGES} images; a recipe's `sweep` or another `seed` makes more of the same kind"
+        );
+        return Err(NotUnderstood::Refused(Problem::whole(what, help).into()));
     }
     match answer.refusal.as_deref().map(str::trim) {
         Some(said) if !said.is_empty() && answer.objects.is_empty() => {
